@@ -1,0 +1,29 @@
+// The command line: one file per command, all registered here.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <string>
+
+#include "base/error.h"
+
+namespace parti::app {
+
+inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
+
+/// What main runs after parsing; the chosen command sets it. Returns an exit status.
+using Run = std::function<int()>;
+
+/// Prints an error to standard error in the house's form; returns kFailed.
+int Report(const Error& error);
+
+void AddSegmentCommand(CLI::App& app, Run* run);
+void AddSuggestCommand(CLI::App& app, Run* run);
+void AddDevicesCommand(CLI::App& app, Run* run);
+void AddRecordCommand(CLI::App& app, Run* run);
+void AddReplayCommand(CLI::App& app, Run* run);
+void AddQueryCommand(CLI::App& app, Run* run);
+void AddRenderCommand(CLI::App& app, Run* run);
+void AddExportCommand(CLI::App& app, Run* run);
+
+}  // namespace parti::app

@@ -1,0 +1,20 @@
+// The program: parses the command line and runs the chosen command.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "app/commands/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace parti::app;
+  CLI::App app("Parti: draw a building, get the rules", "parti");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "parti 0.1.0");
+  Run run;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongUsage;
+  }
+  return run ? run() : kWrongUsage;
+}

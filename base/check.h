@@ -1,0 +1,15 @@
+// CHECK: broken invariants of our own code. On in release too; expected failures are Results.
+#pragma once
+
+#include <string_view>
+
+namespace parti {
+
+/// Prints "FILE:LINE: broken invariant: CONDITION: why" to standard error and aborts.
+[[noreturn]] void CheckFailed(const char* file, int line, const char* condition,
+                              std::string_view why);
+
+}  // namespace parti
+
+#define CHECK(condition, why) \
+  ((condition) ? (void)0 : ::parti::CheckFailed(__FILE__, __LINE__, #condition, why))

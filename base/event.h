@@ -1,0 +1,82 @@
+// What input devices send, as values: the one currency between input/ and app/.
+// Positions are on the device's surface in millimetres; mapping them into a view is the app's.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "base/math.h"
+
+namespace parti {
+
+/// What is known of a pen tablet or touch screen.
+struct DeviceFacts {
+  std::string name;
+  uint32_t vendor = 0;
+  uint32_t product = 0;
+  std::optional<Vec2> size_mm;  ///< active area; absent where the device does not say
+  bool has_pen = false;
+  bool has_touch = false;
+  bool has_pressure = false;
+  bool has_tilt = false;
+  bool has_distance = false;
+  bool has_eraser = false;
+
+  bool operator==(const DeviceFacts&) const = default;
+};
+
+/// A device came or went. `device` numbers devices within one source, from 0, never reused.
+struct DeviceEvent {
+  enum class Kind { kAdded, kRemoved };
+  Kind kind = Kind::kAdded;
+  double t_s = 0;
+  int device = 0;
+  DeviceFacts facts;
+
+  bool operator==(const DeviceEvent&) const = default;
+};
+
+enum class PenTool : uint8_t { kPen, kEraser, kBrush, kPencil, kAirbrush, kMouse };
+
+/// One pen report. The axes are the state after it, whatever it was sent for.
+struct PenEvent {
+  enum class Kind : uint8_t { kProximityIn, kProximityOut, kDown, kUp, kMotion, kButton };
+  Kind kind = Kind::kMotion;
+  PenTool tool = PenTool::kPen;
+  int device = 0;
+  double t_s = 0;                  ///< s, of the source's clock; never decreasing
+  Vec2 position_mm{0, 0};          ///< from the top left of the surface, y down
+  std::optional<double> pressure;  ///< [0, 1]
+  std::optional<double> distance;  ///< [0, 1], 0 at the surface
+  std::optional<Vec2> tilt_deg;    ///< x: to the right, y: towards the user
+  uint32_t button = 0;             ///< kButton: the evdev code (BTN_STYLUS, BTN_STYLUS2 …)
+  bool pressed = false;            ///< kButton
+
+  bool operator==(const PenEvent&) const = default;
+};
+
+struct TouchEvent {
+  enum class Kind : uint8_t { kDown, kMotion, kUp, kCancel };
+  Kind kind = Kind::kMotion;
+  int device = 0;
+  int finger = 0;  ///< the same from kDown to kUp or kCancel
+  double t_s = 0;
+  Vec2 position_mm{0, 0};  ///< of the last report, in kUp and kCancel
+
+  bool operator==(const TouchEvent&) const = default;
+};
+
+struct KeyEvent {
+  int device = 0;
+  double t_s = 0;
+  uint32_t code = 0;  ///< evdev KEY_*
+  bool pressed = false;
+
+  bool operator==(const KeyEvent&) const = default;
+};
+
+using InputEvent = std::variant<DeviceEvent, PenEvent, TouchEvent, KeyEvent>;
+
+}  // namespace parti

@@ -1,0 +1,72 @@
+// One operation with its numbers and what follows from it: "split(y) { 4: Ground | { ~3: Floor }*
+// }". The value that rules, selection-action nodes, suggestions and panels share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "grammar/item.h"
+
+namespace parti::grammar {
+
+struct Operation;
+
+enum class Axis : uint8_t { kX, kY, kZ };
+
+/// A size along a split axis: 3 (m), '0.5 (of the whole), ~1 (share of the rest).
+struct Size {
+  enum class Kind : uint8_t { kAbsolute, kRelative, kFloating };
+  Kind kind = Kind::kAbsolute;
+  double value = 1;
+  bool operator==(const Size&) const = default;
+};
+
+/// CGA's component selectors; offset knows kInside and kBorder, comp the others.
+struct Selector {
+  enum class Kind : uint8_t {
+    kAll,
+    kFront,
+    kBack,
+    kLeft,
+    kRight,
+    kTop,
+    kBottom,
+    kSide,
+    kVertical,
+    kHorizontal,
+    kIndex,
+    kInside,
+    kBorder
+  };
+  Kind kind = Kind::kAll;
+  int index = 0;  ///< kIndex
+  bool operator==(const Selector&) const = default;
+};
+
+struct Action;
+
+/// One alternative in the braces. A split's has a size, comp's and offset's a selector.
+/// `repeat` not empty: "{ … }*", a group that repeats; key, symbol and actions are then unused.
+struct Successor {
+  std::variant<std::monostate, Size, Selector> key;
+  std::vector<Action> actions;  ///< in place, before the symbol: 4: tag("x") Ground
+  std::string symbol;           ///< "" none; "NIL" makes nothing
+  std::vector<Successor> repeat;
+  bool operator==(const Successor&) const;
+};
+
+using Argument = std::variant<double, bool, Axis, std::string>;
+
+struct Action {
+  const Operation* operation = nullptr;  ///< a row of the table; not null in a valid action
+  std::vector<Argument> arguments;       ///< one per parameter of the row, in its order
+  std::vector<Successor> successors;
+  std::string symbol;  ///< after an operation without braces: extrude(12) Mass
+  bool operator==(const Action&) const;
+};
+
+inline constexpr std::string_view kNil = "NIL";
+
+}  // namespace parti::grammar

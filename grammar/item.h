@@ -1,0 +1,56 @@
+// What operations take and give: a typed piece of geometry in its scope (Jesus 2018, 4.2).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "grammar/mesh.h"
+#include "grammar/polygon.h"
+#include "grammar/scope.h"
+
+namespace parti::grammar {
+
+enum class ItemType : uint8_t { kVolume = 1, kPlanar = 2 };
+/// A set of ItemType values, or-ed.
+using ItemTypes = uint8_t;
+constexpr ItemTypes Types(ItemType a) { return static_cast<ItemTypes>(a); }
+constexpr ItemTypes Types(ItemType a, ItemType b) {
+  return static_cast<ItemTypes>(Types(a) | Types(b));
+}
+std::string_view NameOf(ItemType type);  ///< "VolumetricShape", "PlanarShape"
+
+/// Geometry is immutable and shared. Null geometry is the whole scope: a rectangle or a box, which
+/// is what most shapes of a building are.
+struct Item {
+  ItemType type = ItemType::kPlanar;
+  Scope scope;
+  std::shared_ptr<const Polygon> polygon;  ///< planar, in scope x and y; null: the rectangle
+  std::shared_ptr<const Mesh> mesh;        ///< volume, in scope coordinates; null: the box
+  Vec3 facing{0, 0, 0};  ///< unit outward normal; a volume keeps its origin's; 0: none (errata 10)
+  uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given
+};
+
+/// A planar item from corners in the world (first the outline, then holes), in any winding; the
+/// normal is `up_hint`'s side where given (lots face up), else the side from which the outline runs
+/// counter-clockwise. Corners up to max(1 mm, 1e-3 of the diagonal) off the plane are projected.
+/// errors  those of PolygonFrom; kNotPlanar.
+Result<Item> PlanarFrom(const std::vector<std::vector<Vec3>>& rings, const Vec3* up_hint = nullptr);
+/// A box standing in the world. errors  kDegenerateGeometry  a size of 0 or less; kBadNumber.
+Result<Item> BoxFrom(const Scope& scope);
+
+Polygon PolygonOf(const Item& planar);  ///< the rectangle made explicit
+Mesh MeshOf(const Item& volume);        ///< the box made explicit
+double AreaOf(const Item& item);        ///< planar: its area; volume: its surface's; m^2
+
+/// The faces of a volume as planar items in the world (a planar item gives itself), with outward
+/// normals; the first edge of each is its x axis.
+std::vector<Item> FacesOf(const Item& item);
+/// Outline edges in the world, each once, in a fixed order.
+std::vector<Segment3> EdgesOf(const Item& item);
+/// Triangles in the world with outward winding: three corners each.
+void TrianglesOf(const Item& item, std::vector<Vec3>* corners);
+
+}  // namespace parti::grammar

@@ -1,0 +1,96 @@
+// The operation table: one row per operation. Everything asks it: the parser checks arguments, the
+// panels draw editors, the sketch pipeline samples and descends, the manual is generated from it.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "grammar/action.h"
+#include "grammar/item.h"
+
+namespace parti::grammar {
+
+enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor };
+
+struct Parameter {
+  std::string_view name;  ///< "distance"
+  ParameterKind kind;
+  double low = 0, high = 0;  ///< range of numbers, inclusive
+  Argument default_value;
+  bool required = true;
+  std::string_view doc;
+};
+
+/// What stands in an operation's braces.
+enum class Braces : uint8_t { kNone, kSizes, kSelectors };
+
+/// One item that an operation made. `successor` is the path-free number of the successor it belongs
+/// to: successors counted depth first through repeat groups, groups themselves not counted; -1 for
+/// operations without braces.
+struct Product {
+  Item item;
+  int successor = -1;
+};
+
+struct Operation {
+  std::string_view name;  ///< in rules: "split"
+  std::string_view word;  ///< in queries: "Split"
+  std::string_view doc;
+  std::string_view source;  ///< paper section
+  std::span<const Parameter> parameters;
+  Braces braces;
+  ItemTypes takes;
+  ItemTypes gives;
+  bool in_place;  ///< changes the shape itself and makes no child: tag, color
+
+  /// Pure. Products in creation order. An action that passed Check and an item whose type the row
+  /// takes never break an invariant.
+  /// errors  kDegenerateGeometry, kBadArguments …: why this item can't take it.
+  Result<std::vector<Product>> (*apply)(const Item& item, const Action& action);
+};
+
+/// All rows, in the order of the manual. "repeat" is a row of its own that is written
+/// `split(axis) { ~size: X }*`.
+std::span<const Operation> Operations();
+/// nullptr when there is none.
+const Operation* FindOperation(std::string_view name);
+/// errors  kUnknownName  with "did you mean".
+Result<const Operation*> OperationNamed(std::string_view name);
+
+/// An action of this row with default arguments.
+Action Default(const Operation& operation);
+
+/// Arguments' number, kinds and ranges, braces and keys against the row.
+/// errors  kBadArguments, kBadNumber.
+Result<void> Check(const Action& action);
+
+/// Check, the item's type, apply.
+/// errors  those of Check and apply; kWrongItemType  names operation and type.
+Result<std::vector<Product>> Apply(const Action& action, const Item& item);
+
+/// The successor that Product::successor numbers.
+const Successor& SuccessorAt(const Action& action, int number);
+
+/// A number of an action that descent, panels and over-sketching may change.
+struct Dial {
+  std::string name;  ///< "distance", "sizes[2]"
+  double* value;     ///< into the action
+  double low, high;
+  ParameterKind kind;
+};
+/// Every number of the action, in reading order; valid until the action changes shape.
+std::vector<Dial> Dials(Action* action);
+
+/// The parameter space of a row sampled for an item: every combination of its axes and selectors
+/// with each of `lengths_m` in turn for its length (both signs where its range allows them).
+/// A split is sampled by one cut, { length: A | ~1: B }; comp by comp(f) { all: A }. Rows that only
+/// change an item in place give nothing (Jesus 2018, Listing 6.1).
+std::vector<Action> Samples(const Operation& operation, const Item& item,
+                            std::span<const double> lengths_m);
+
+/// As rules write it: "extrude(12) Mass", "split(y) { 4: Ground | { ~3: Floor }* }". Numbers in the
+/// shortest form that reads back as the same double.
+std::string TextOf(const Action& action);
+
+}  // namespace parti::grammar

@@ -1,0 +1,81 @@
+// The shape tree: everything that was ever derived from one lot (Jesus 2018, 5.1, 5.4).
+// A value: copies share their chunks, and only chunks that are written to are copied.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/error.h"
+#include "grammar/item.h"
+
+namespace parti::grammar {
+
+struct Operation;
+
+using ShapeIndex = uint32_t;
+inline constexpr ShapeIndex kNoShape = 0xffffffff;
+/// A symbol or tag, interned in one tree.
+using NameId = uint32_t;
+inline constexpr NameId kNoName = 0xffffffff;
+
+struct Shape {
+  Item item;
+  const Operation* operation = nullptr;  ///< that made it; null for the lot itself
+  NameId symbol = kNoName;
+  std::vector<NameId> tags;  ///< sorted, each once
+  ShapeIndex parent = kNoShape;
+  ShapeIndex first_child = kNoShape;
+  ShapeIndex last_child = kNoShape;
+  ShapeIndex next_sibling = kNoShape;
+  uint32_t ordinal = 0;  ///< among its parent's children, from 0
+};
+
+/// Shapes are numbered in creation order; a parent comes before its children; 0 is the lot.
+class ShapeTree {
+ public:
+  explicit ShapeTree(Item lot, std::string_view symbol = "Lot");
+
+  uint32_t size() const { return size_; }
+  const Shape& operator[](ShapeIndex i) const;
+
+  /// Appends a child as its parent's last; returns its index.
+  ShapeIndex Append(ShapeIndex parent, Item item, NameId symbol, const Operation* operation,
+                    std::vector<NameId> tags = {});
+  void SetSymbol(ShapeIndex i, NameId symbol);
+  void AddTag(ShapeIndex i, NameId tag);
+  void SetItem(ShapeIndex i, Item item);
+
+  NameId Intern(std::string_view name);
+  /// kNoName when no shape ever had it.
+  NameId Find(std::string_view name) const;
+  std::string_view Name(NameId id) const;  ///< "" for kNoName
+
+  bool IsLeaf(ShapeIndex i) const { return (*this)[i].first_child == kNoShape; }
+  bool IsAncestor(ShapeIndex ancestor, ShapeIndex descendant) const;  ///< not of itself
+  /// Leaves in depth-first order: what is visible.
+  std::vector<ShapeIndex> Leaves() const;
+
+  /// Child-index path from the lot, "0/2/5"; "." is the lot (interfaces.md, Shape ids).
+  std::string IdOf(ShapeIndex i) const;
+  /// errors  kBadText  not such a path;  kUnknownName  no shape there.
+  Result<ShapeIndex> AtId(std::string_view id) const;
+
+ private:
+  static constexpr uint32_t kChunk = 256;
+  using Chunk = std::vector<Shape>;
+  Shape& Writable(ShapeIndex i);
+
+  std::vector<std::shared_ptr<Chunk>> chunks_;
+  uint32_t size_ = 0;
+  struct Names {
+    std::vector<std::string> texts;
+    std::unordered_map<std::string, NameId> ids;
+  };
+  std::shared_ptr<Names> names_;
+};
+
+}  // namespace parti::grammar

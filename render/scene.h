@@ -1,0 +1,60 @@
+// What render draws: values only, in the world or on the picture; float, as the GPU wants them.
+// Knows nothing of grammars and strokes: app turns shapes and sketches into this.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/camera.h"
+#include "base/error.h"
+
+namespace parti::render {
+
+using Vec2f = glm::vec2;
+using Vec3f = glm::vec3;
+using Vec4f = glm::vec4;
+
+/// A flat-shaded face set with one colour: corners three by three, counter-clockwise from outside.
+struct Faces {
+  std::vector<Vec3f> corners;
+  Vec3f color{0.93f, 0.92f, 0.90f};  ///< sRGB
+  uint32_t id = 0;                   ///< for picking; 0: not pickable
+};
+
+/// Straight lines in the world, hidden by what lies in front of them unless `on_top`.
+struct Lines {
+  std::vector<Vec3f> ends;               ///< two by two
+  Vec4f color{0.1f, 0.1f, 0.12f, 1.0f};  ///< sRGB, alpha
+  float width_px = 1.5f;
+  float dash_px = 0;  ///< 0: solid
+  bool on_top = false;
+};
+
+/// Ink on the picture, in pixels: a polyline with a width at each point, round ends and joints.
+struct Ink {
+  std::vector<Vec2f> points;
+  std::vector<float> widths_px;  ///< as many as points
+  Vec4f color{0.05f, 0.1f, 0.45f, 1.0f};
+};
+
+struct Scene {
+  std::vector<Faces> faces;
+  std::vector<Lines> lines;
+  std::vector<Ink> ink;
+  bool ground = true;  ///< paper, a faint metre grid and the building's shadow on y = 0
+};
+
+/// 8 bits a channel, RGBA, rows from the top.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<uint8_t> pixels;  ///< 4 * width * height
+};
+
+/// errors  kFile.
+Result<void> WritePng(const Image& image, const std::string& path);
+/// errors  kFile, kDamagedFile.
+Result<Image> ReadPng(const std::string& path);
+
+}  // namespace parti::render
