@@ -19,18 +19,19 @@ using Mat4 = glm::dmat4;
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// An angle whose unit is said where it is made and where it is read.
+/// An angle whose unit is said where it is made and where it is read. Kept in degrees, as people
+/// and files write them, so that those come back unchanged.
 class Angle {
  public:
-  static constexpr Angle Degrees(double degrees) { return Angle(degrees * kPi / 180.0); }
-  static constexpr Angle Radians(double radians) { return Angle(radians); }
-  constexpr double radians() const { return radians_; }
-  constexpr double degrees() const { return radians_ * 180.0 / kPi; }
+  static constexpr Angle Degrees(double degrees) { return Angle(degrees); }
+  static constexpr Angle Radians(double radians) { return Angle(radians * 180.0 / kPi); }
+  constexpr double radians() const { return degrees_ * kPi / 180.0; }
+  constexpr double degrees() const { return degrees_; }
   auto operator<=>(const Angle&) const = default;
 
  private:
-  constexpr explicit Angle(double radians) : radians_(radians) {}
-  double radians_;
+  constexpr explicit Angle(double degrees) : degrees_(degrees) {}
+  double degrees_;
 };
 
 inline bool IsFinite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
