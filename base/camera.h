@@ -1,4 +1,5 @@
 // The perspective view through which strokes are drawn and scenes are seen.
+// Moving the camera (orbit, zoom, named views) is the app's; matrices for the GPU are render's.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// CHECK: broken invariants of our own code. On in release too; expected failures are Results.
+// CHECK: broken invariants of our own code, on in release too.
+// Not for what a user, a file or a device can cause: those failures are Results (base/error.h).
 #pragma once
 
 #include <string_view>

@@ -10,6 +10,7 @@
 
 namespace parti {
 
+/// What kind of failure; what a caller may tell apart.
 enum class ErrorCode {
   kBadText,             ///< text that does not parse; `place` says where
   kBadNumber,           ///< not finite, or outside what its use allows
@@ -40,6 +41,7 @@ struct SourcePlace {
   std::string line_text;  ///< the whole line, for the caret
 };
 
+/// One expected failure, complete enough to be shown to a person.
 struct Error {
   ErrorCode code;
   std::string message;                    ///< what is wrong; lower case, no final stop

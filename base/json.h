@@ -1,4 +1,5 @@
 // JSON as batches use it: one value a line, every number finite, every failure with its place.
+// Reads what interfaces.md (docs/) fixes; what a task or an answer means is app's business.
 #pragma once
 
 #include <nlohmann/json.hpp>

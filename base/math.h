@@ -1,6 +1,6 @@
 // Vectors, angles, planes and segments shared by every folder.
-// World: metres, right-handed, y up, north is -z, east is +x. Views: pixels, origin top left, y
-// down.
+// World: metres, right-handed, y up, north is -z, east is +x.
+// Views: pixels, origin top left, y down.
 #pragma once
 
 #include <cmath>
@@ -34,6 +34,7 @@ class Angle {
   double degrees_;
 };
 
+/// Neither NaN nor infinite in any coordinate.
 inline bool IsFinite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 inline bool IsFinite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -57,6 +58,7 @@ struct Plane {
   double offset = 0;
 };
 
+/// Points origin + t direction, t >= 0.
 struct Ray {
   Vec3 origin{};
   Vec3 direction{0, 0, -1};  ///< unit length

@@ -1,4 +1,5 @@
 // Seeded random numbers, the same on every machine (std::distributions are not).
+// Good enough for sampling and noise; not for secrets.
 #pragma once
 
 #include <cmath>
@@ -13,6 +14,7 @@ class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
+  /// Uniform over all 2^64 values.
   uint64_t Next() {
     uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;

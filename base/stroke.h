@@ -1,4 +1,5 @@
-// One pen line as it was drawn, and its JSON form (see docs/interfaces.md).
+// One pen line as it was drawn: samples with position, time and pressure.
+// What a line means is sketch's; its JSON form is read by base/json.h.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,7 @@
 
 namespace parti {
 
+/// One report of the pen while it is down.
 struct StrokeSample {
   Vec2 position;                        ///< view px, y down (any unit of length in `parti segment`)
   double t_s = 0;                       ///< s, never decreasing within a stroke

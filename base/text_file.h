@@ -1,4 +1,5 @@
 // Whole files in and out, with errors that name the file and the remedy.
+// Documents (SQLite) and pictures (libpng) have writers of their own.
 #pragma once
 
 #include <string>

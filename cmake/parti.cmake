@@ -7,7 +7,9 @@ target_compile_options(parti_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough
   -Werror
   # The same bytes on every machine: no fused multiply-add that only some processors have.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nor do bytes depend on where the project lies.
+  -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=)
 if(PARTI_SANITIZE)
   target_compile_options(parti_options INTERFACE -fsanitize=address,undefined
     -fno-sanitize-recover=all -fno-omit-frame-pointer)

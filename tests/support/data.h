@@ -1,4 +1,5 @@
 // Real data for tests: $PARTI_DATA, else ../shared/data beside the project.
+// None of it is part of the project; our own fixtures lie under tests/ and assets/.
 #pragma once
 
 #include <string>
@@ -16,8 +17,8 @@ std::string SourceFile(const std::string& name);
 }  // namespace parti::tests
 
 /// In a test: a variable with the file's path, or a skip that says why.
-#define PARTI_NEED_DATA(variable, name)                                                     \
-  const std::string variable = ::parti::tests::DataFile(name);                              \
-  if (variable.empty()) {                                                                   \
-    GTEST_SKIP() << "no " << name << ": set PARTI_DATA, or put shared/ beside the project"; \
+#define PARTI_NEED_DATA(variable, name)                                                       \
+  const std::string variable = ::parti::tests::DataFile(name);                                \
+  if ((variable).empty()) {                                                                   \
+    GTEST_SKIP() << "no " << (name) << ": set PARTI_DATA, or put shared/ beside the project"; \
   }
