@@ -1,4 +1,5 @@
-// Strokes to segments by speed and curvature (Jesus 2018, 6.3; errata 16, 17, 20).
+// Strokes to segments by speed and curvature (Jesus 2018, 6.3; errata 16, 17, 20). Sequences the
+// stages: filter (stroke_path), evidence (speed_curvature), combination search (corner_search).
 // Tells curves from lines; it does not fit curves, which stay polylines until a later stage.
 #pragma once
 
@@ -6,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/stroke.h"
+#include "sketch/segmentation_parameters.h"
 
 namespace parti::sketch {
 
@@ -15,19 +17,22 @@ struct StrokeSegment {
   int from = 0;  ///< sample index
   int to = 0;    ///< sample index, > from
   SegmentKind kind = SegmentKind::kLine;
+
+  bool operator==(const StrokeSegment&) const = default;
 };
 
 struct Segmentation {
   std::vector<int> corners;             ///< sample indices, first and last sample included
-  std::vector<StrokeSegment> segments;  ///< between consecutive corners
+  std::vector<StrokeSegment> segments;  ///< between consecutive corners, at least one
+
+  bool operator==(const Segmentation&) const = default;
 };
 
-/// Every number of the stage; units are multiples of the stroke's own measures, so that a stroke
-/// drawn at another scale or on another device segments alike.
-struct SegmentationParameters {};
-
-/// stroke   n >= 2 samples with at least two distinct positions, finite.
-/// errors   kTooShort  a tap: fewer than 2 distinct positions.
+/// stroke   n >= 2 samples with at least two distinct positions, finite. Times may repeat, come in
+///          batches or be all the same (then curvature alone decides).
+/// errors   kTooShort  a tap: fewer than 2 distinct positions;  kBadNumber  not finite.
+/// cost     linear in the samples, plus at most most_candidates squared.
+/// Hooks that pen-down and pen-up leave at the ends stay part of the first and last segment.
 /// Properties: (1) unchanged by translating, rotating and scaling the stroke, and by a constant
 /// factor on time; (2) reversing the stroke mirrors the corners, up to one sample.
 Result<Segmentation> SegmentStroke(const Stroke& stroke,
