@@ -3,11 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "base/camera.h"
-#include "base/error.h"
+#include "render/image.h"
 
 namespace parti::render {
 
@@ -44,17 +43,5 @@ struct Scene {
   std::vector<Ink> ink;
   bool ground = true;  ///< paper, a faint metre grid and the building's shadow on y = 0
 };
-
-/// 8 bits a channel, RGBA, rows from the top.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<uint8_t> pixels;  ///< 4 * width * height
-};
-
-/// errors  kFile.
-Result<void> WritePng(const Image& image, const std::string& path);
-/// errors  kFile, kDamagedFile.
-Result<Image> ReadPng(const std::string& path);
 
 }  // namespace parti::render

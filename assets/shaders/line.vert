@@ -1,0 +1,48 @@
+// A line in the world as a capsule of constant width on the picture: one instance a line, four
+// corners from the vertex number.
+layout(location = 0) in vec3 end_a;
+layout(location = 1) in vec3 end_b;
+layout(location = 2) in vec4 color;  // sRGB, alpha
+layout(location = 3) in vec2 width_and_dash;  // px
+
+uniform mat4 clip_from_world;
+uniform vec3 eye;
+uniform vec2 picture;  // px
+uniform float near;    // m
+uniform float pull;    // towards the eye, of the distance to it
+
+flat out vec4 ink;     // linear
+flat out vec3 shape;   // length, half width, dash; px
+out vec2 along_across; // px
+
+void main() {
+  // Drawn a little nearer than they are, so that a face never hides its own edge.
+  vec4 a = clip_from_world * vec4(mix(end_a, eye, pull), 1.0);
+  vec4 b = clip_from_world * vec4(mix(end_b, eye, pull), 1.0);
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  ink = vec4(0.0);
+  shape = vec3(0.0);
+  along_across = vec2(0.0);
+  if (a.w < near && b.w < near) return;
+  vec4 cut = mix(a, b, (near - a.w) / (b.w - a.w));
+  if (a.w < near) a = cut;
+  if (b.w < near) b = cut;
+
+  vec3 from = a.xyz / a.w, to = b.xyz / b.w;
+  vec2 step_px = 0.5 * (to.xy - from.xy) * picture;
+  float length_px = length(step_px);
+  vec2 direction = length_px > 1e-4 ? step_px / length_px : vec2(1.0, 0.0);
+  float half_width = 0.5 * max(width_and_dash.x, 1.0);
+  float margin = half_width + 1.0;
+  bool at_end = (gl_VertexID & 1) == 1;
+  float along = at_end ? length_px + margin : -margin;
+  float across = (gl_VertexID & 2) == 2 ? margin : -margin;
+  vec2 offset = direction * along + vec2(-direction.y, direction.x) * across;
+  float depth_slope = (to.z - from.z) / max(length_px, 2.0 * margin);
+  // w is 1: everything between the corners is then linear on the picture, depth included.
+  gl_Position = vec4(from.xy + 2.0 * offset / picture, from.z + depth_slope * along, 1.0);
+  float thin = min(width_and_dash.x, 1.0);
+  ink = vec4(LinearFromSrgb(color.rgb), color.a * thin);
+  shape = vec3(length_px, half_width, width_and_dash.y);
+  along_across = vec2(along, across);
+}

@@ -1,0 +1,14 @@
+// EGL without any surface: pictures on machines with or without a GPU, where there is no OSMesa.
+#pragma once
+
+#include <memory>
+
+#include "render/gl_context.h"
+
+namespace parti::render {
+
+/// GLES 3.0 on EGL_MESA_platform_surfaceless.
+/// errors  kGraphics  EGL has no such platform, display or context.
+Result<std::unique_ptr<GlContext>> CreateEglSurfacelessContext();
+
+}  // namespace parti::render

@@ -1,0 +1,56 @@
+#include "render/passes.h"
+
+namespace parti::render {
+namespace {
+
+void SetLight(const GlProgram& program, const Frame& frame, const GpuScene& scene) {
+  const Look& look = frame.look;
+  program.Set("to_sun", glm::normalize(look.to_sun));
+  program.Set("to_fill", glm::normalize(look.to_fill));
+  program.Set("sun_light", look.sun_light);
+  program.Set("fill_light", look.fill_light);
+  program.Set("sky_light", look.sky_light);
+  program.Set("ground_light", look.ground_light);
+  program.Set("base_shade", look.base_shade);
+  program.Set("base_height", static_cast<float>(scene.face_bounds.low.y));
+}
+
+void SetDepthState(const Gl& gl) {
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+}
+
+void SetPlace(const GlProgram& program, const Frame& frame) {
+  program.Set("clip_from_world", frame.clip_from_world);
+  program.Set("eye", frame.eye);
+  program.Set("back_push", frame.look.back_push);
+}
+
+}  // namespace
+
+void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
+               const ShadowLookup& shadow) {
+  SetDepthState(gl);
+  // Farther by their slope over the pixels that a line is wide: an edge's line then lies in front
+  // of both its faces, however grazing the view, and no farther edge comes through.
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(frame.look.face_slope_offset, frame.look.face_offset_units);
+  program.Use();
+  SetPlace(program, frame);
+  SetLight(program, frame, scene);
+  shadow.Set(gl, program);
+  scene.faces.ForEachBlock([&gl](GLsizei n) { gl.DrawArrays(GL_TRIANGLES, 0, n); });
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame,
+                 const GpuScene& scene) {
+  SetDepthState(gl);
+  program.Use();
+  SetPlace(program, frame);
+  scene.faces.ForEachBlock([&gl](GLsizei n) { gl.DrawArrays(GL_TRIANGLES, 0, n); });
+}
+
+}  // namespace parti::render

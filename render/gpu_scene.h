@@ -1,0 +1,33 @@
+// A Scene as the GPU holds it: uploaded once, drawn from as many views as wanted.
+#pragma once
+
+#include <vector>
+
+#include "render/bounds.h"
+#include "render/gl_framebuffer.h"
+#include "render/vertex_stream.h"
+
+namespace parti::render {
+
+/// Consecutive strokes of one colour, drawn as one.
+struct InkGroup {
+  Vec4f color;
+  VertexStream pieces;
+};
+
+/// Left out, silently since they can't be seen: triangles with a corner that is not drawable (see
+/// IsDrawable) or without area, lines with such an end, ink pieces with such a sample, what is left
+/// over from whole triangles and lines. Missing ink widths are 1 px, negative ones 0.
+struct GpuScene {
+  GpuScene(const Gl& gl, const Scene& scene);
+
+  VertexStream faces;
+  VertexStream lines;
+  VertexStream lines_on_top;
+  std::vector<InkGroup> ink;
+  bool ground;
+  Bounds face_bounds;
+  Bounds bounds;  ///< lines too
+};
+
+}  // namespace parti::render

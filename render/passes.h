@@ -1,0 +1,32 @@
+// The layers of a picture, from the paper up: each draws one kind of thing into the bound
+// framebuffer with the state that it sets itself. Renderer says when; these say how.
+#pragma once
+
+#include "render/frame.h"
+#include "render/full_screen.h"
+#include "render/gl_framebuffer.h"
+#include "render/gpu_scene.h"
+
+namespace parti::render {
+
+/// Paper everywhere; grid and shadow on y = 0 where the scene has ground and the eye is above it.
+void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
+                const ShadowLookup& shadow, const FullScreenTriangle& all);
+
+/// Lit faces, with depth.
+void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
+               const ShadowLookup& shadow);
+
+/// Ids of faces, with depth: four bytes of colour, lowest in red.
+void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene);
+
+/// Lines where no face hides them; on_top lines also, faintly, where one does.
+void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene);
+
+/// Ink over a finished picture in `framebuffer`. `coverage` is a readable GL_R8 framebuffer at
+/// least as large as the tile; it is overwritten.
+void DrawInk(const Gl& gl, const GlProgram& ink_program, const GlProgram& over_program,
+             const Frame& frame, const GpuScene& scene, const GlFramebuffer& coverage,
+             GLuint framebuffer, const FullScreenTriangle& all);
+
+}  // namespace parti::render

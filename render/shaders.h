@@ -1,0 +1,11 @@
+// The files of assets/shaders, built into the program.
+#pragma once
+
+#include <string_view>
+
+namespace parti::render {
+
+/// The text of assets/shaders/NAME, without a version line; the file must exist.
+std::string_view ShaderText(std::string_view name);
+
+}  // namespace parti::render

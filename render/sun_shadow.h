@@ -1,0 +1,30 @@
+// The depth of a scene as the sun sees it, drawn once a scene.
+#pragma once
+
+#include "render/frame.h"
+#include "render/gl_framebuffer.h"
+#include "render/gpu_scene.h"
+
+namespace parti::render {
+
+/// The map that fits the scene's faces, seen along parallel rays from the sun: [0, 1] in x, y, z.
+/// `side` texels square; bias as Look says. Properties: (1) every corner of the bounds lies inside;
+/// (2) points along one ray of the sun share x and y.
+ShadowLookup ShadowLookupFor(const Bounds& faces, const Look& look);
+
+/// Used and destroyed while its context is current.
+class SunShadow {
+ public:
+  /// errors  kGraphics.
+  static Result<SunShadow> Create(const Gl& gl, const GlProgram& depth_program,
+                                  const GpuScene& scene, const Look& look);
+  const ShadowLookup& lookup() const { return lookup_; }
+
+ private:
+  SunShadow(GlFramebuffer map, const ShadowLookup& lookup)
+      : map_(std::move(map)), lookup_(lookup) {}
+  GlFramebuffer map_;
+  ShadowLookup lookup_;
+};
+
+}  // namespace parti::render

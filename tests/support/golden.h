@@ -1,0 +1,32 @@
+// Golden pictures: tests/golden/NAME.png compared with what was drawn.
+#pragma once
+
+#include <string>
+
+#include "render/image.h"
+
+namespace parti::tests {
+
+/// What still counts as the same picture. OSMesa and EGL, and one Mesa and the next, differ in how
+/// they round colours and cover edges; a shape that moved or vanished differs in far more.
+struct GoldenTolerance {
+  int channel = 24;         ///< a pixel differs when a channel is off by more, of 255
+  double fraction = 0.004;  ///< of the pixels may differ
+};
+
+struct PictureDifference {
+  bool same_size = false;
+  size_t pixels = 0;     ///< that differ
+  render::Image marked;  ///< the first picture, pale, with what differs in red
+};
+
+PictureDifference Compare(const render::Image& made, const render::Image& golden,
+                          const GoldenTolerance& tolerance = {});
+
+/// Fails the running test, and writes NAME.out.png and NAME.diff.png beside the golden picture,
+/// when more pixels differ than allowed or there is no golden picture. With PARTI_UPDATE_GOLDEN=1
+/// in the environment the golden picture is written instead: look at it before committing it.
+void ExpectGolden(const render::Image& image, const std::string& name,
+                  const GoldenTolerance& tolerance = {});
+
+}  // namespace parti::tests
