@@ -45,7 +45,7 @@ std::string TextOf(const Query& query);
 /// for the whole tree. Linear in the tree for each selector; facing and within take the product of
 /// their inner query once.
 /// errors  kUnknownName  a filter that is not available here.
-Result<std::vector<ShapeIndex>> Product(const Query& query, const ShapeTree& tree,
-                                        const std::vector<ShapeIndex>* within = nullptr);
+Result<std::vector<ShapeIndex>> ProductOf(const Query& query, const ShapeTree& tree,
+                                          const std::vector<ShapeIndex>* within = nullptr);
 
 }  // namespace parti::grammar

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -35,12 +36,14 @@ struct Shape {
 };
 
 /// Shapes are numbered in creation order; a parent comes before its children; 0 is the lot.
+/// cost  a copy is one pointer per 128 shapes; a write copies at most the chunk that it lands in.
+/// Copies may be read and written by different threads.
 class ShapeTree {
  public:
   explicit ShapeTree(Item lot, std::string_view symbol = "Lot");
 
   uint32_t size() const { return size_; }
-  const Shape& operator[](ShapeIndex i) const;
+  const Shape& operator[](ShapeIndex i) const { return (*chunks_[i / kChunk])[i % kChunk]; }
 
   /// Appends a child as its parent's last; returns its index.
   ShapeIndex Append(ShapeIndex parent, Item item, NameId symbol, const Operation* operation,
@@ -49,6 +52,7 @@ class ShapeTree {
   void AddTag(ShapeIndex i, NameId tag);
   void SetItem(ShapeIndex i, Item item);
 
+  /// kNoName for the empty name.
   NameId Intern(std::string_view name);
   /// kNoName when no shape ever had it.
   NameId Find(std::string_view name) const;
@@ -64,17 +68,22 @@ class ShapeTree {
   /// errors  kBadText  not such a path;  kUnknownName  no shape there.
   Result<ShapeIndex> AtId(std::string_view id) const;
 
- private:
-  static constexpr uint32_t kChunk = 256;
-  using Chunk = std::vector<Shape>;
-  Shape& Writable(ShapeIndex i);
+  /// True when both are the same value by sharing all of their parts: never for two trees that were
+  /// built apart.
+  bool SharesAllWith(const ShapeTree& other) const;
 
-  std::vector<std::shared_ptr<Chunk>> chunks_;
-  uint32_t size_ = 0;
+ private:
+  static constexpr uint32_t kChunk = 128;
+  using Chunk = std::vector<Shape>;
   struct Names {
     std::vector<std::string> texts;
     std::unordered_map<std::string, NameId> ids;
   };
+  Chunk& WritableChunk(uint32_t chunk);
+  Shape& Writable(ShapeIndex i);
+
+  std::vector<std::shared_ptr<Chunk>> chunks_;
+  uint32_t size_ = 0;
   std::shared_ptr<Names> names_;
 };
 

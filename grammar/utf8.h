@@ -1,0 +1,25 @@
+// UTF-8, as far as a lexer needs it: one code point at a time, and which of them are letters.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace parti::grammar {
+
+struct CodePoint {
+  char32_t value = 0;
+  size_t length = 0;  ///< bytes; 0: not UTF-8 here (or the end)
+};
+
+/// The code point that starts at `offset`. Overlong forms, surrogates and values past U+10FFFF are
+/// not UTF-8.
+CodePoint CodePointAt(std::string_view text, size_t offset);
+
+bool IsUtf8(std::string_view text);
+
+/// Letters and _; of code points past ASCII everything but blanks, punctuation, arrows, symbols and
+/// private use: the small price for not carrying Unicode's tables.
+bool IsLetter(char32_t c);
+inline bool IsDigit(char32_t c) { return c >= '0' && c <= '9'; }
+
+}  // namespace parti::grammar
