@@ -2,8 +2,10 @@
 // }". The value that rules, selection-action nodes, suggestions and panels share.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -44,6 +46,11 @@ struct Selector {
   int index = 0;  ///< kIndex
   bool operator==(const Selector&) const = default;
 };
+
+std::string_view NameOf(Axis axis);            ///< "x"
+std::string_view NameOf(Selector::Kind kind);  ///< "front"; kIndex is written as its number
+/// Nothing when there is no such selector; kIndex has no name.
+std::optional<Selector::Kind> SelectorNamed(std::string_view name);
 
 struct Action;
 

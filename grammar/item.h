@@ -44,12 +44,14 @@ Result<Item> BoxFrom(const Scope& scope);
 Polygon PolygonOf(const Item& planar);  ///< the rectangle made explicit
 Mesh MeshOf(const Item& volume);        ///< the box made explicit
 double AreaOf(const Item& item);        ///< planar: its area; volume: its surface's; m^2
+double VolumeOf(const Item& item);      ///< m^3; 0 for a planar item
 
 /// The faces of a volume as planar items in the world (a planar item gives itself), with outward
 /// normals; the first edge of each is its x axis.
 std::vector<Item> FacesOf(const Item& item);
 /// Outline edges in the world, each once, in a fixed order.
 std::vector<Segment3> EdgesOf(const Item& item);
+void EdgesOf(const Item& item, std::vector<Segment3>* edges);  ///< appends
 /// Triangles in the world with outward winding: three corners each.
 void TrianglesOf(const Item& item, std::vector<Vec3>* corners);
 

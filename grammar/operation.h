@@ -11,7 +11,10 @@
 
 namespace parti::grammar {
 
-enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor };
+/// How an argument is written and stored: kLength (m), kAngle (degrees) and kFactor are numbers
+/// (double); kAxis is x, y or z (Axis); kText is text in quotes (std::string); kColor is "#rrggbb"
+/// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f.
+enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor, kWord };
 
 struct Parameter {
   std::string_view name;  ///< "distance"
@@ -20,14 +23,15 @@ struct Parameter {
   Argument default_value;
   bool required = true;
   std::string_view doc;
+  std::span<const std::string_view> words = {};  ///< kWord: what is allowed
 };
 
 /// What stands in an operation's braces.
 enum class Braces : uint8_t { kNone, kSizes, kSelectors };
 
-/// One item that an operation made. `successor` is the path-free number of the successor it belongs
-/// to: successors counted depth first through repeat groups, groups themselves not counted; -1 for
-/// operations without braces.
+/// One item that an operation made. Successors whose symbol is NIL get none. `successor` is the
+/// path-free number of the successor it belongs to: successors counted depth first through repeat
+/// groups, groups themselves not counted; -1 for operations without braces.
 struct Product {
   Item item;
   int successor = -1;
@@ -40,29 +44,32 @@ struct Operation {
   std::string_view source;  ///< paper section
   std::span<const Parameter> parameters;
   Braces braces;
+  std::span<const Selector::Kind> selectors;  ///< kSelectors: those that it knows
   ItemTypes takes;
   ItemTypes gives;
   bool in_place;  ///< changes the shape itself and makes no child: tag, color
 
-  /// Pure. Products in creation order. An action that passed Check and an item whose type the row
-  /// takes never break an invariant.
-  /// errors  kDegenerateGeometry, kBadArguments …: why this item can't take it.
+  /// Pure. Rows that change in place give the item itself, changed as far as an item can be
+  /// (color); tag and symbol are the driver's to set on the shape. Products in creation order. An
+  /// action that passed Check and an item whose type the row takes never break an invariant. errors
+  /// kDegenerateGeometry, kBadArguments …: why this item can't take it.
   Result<std::vector<Product>> (*apply)(const Item& item, const Action& action);
 };
 
-/// All rows, in the order of the manual. "repeat" is a row of its own that is written
-/// `split(axis) { ~size: X }*`.
+/// All rows, in the order of the manual. "repeat" is a row of its own: its argument is the axis,
+/// its successors are the pattern, and it is written `split(axis) { ~size: X }*`; a group inside a
+/// split's braces, `split(axis) { 4: A | { ~3: B }* }`, is Successor::repeat of the split.
 std::span<const Operation> Operations();
 /// nullptr when there is none.
 const Operation* FindOperation(std::string_view name);
 /// errors  kUnknownName  with "did you mean".
 Result<const Operation*> OperationNamed(std::string_view name);
 
-/// An action of this row with default arguments.
+/// An action of this row with default arguments and no successors.
 Action Default(const Operation& operation);
 
 /// Arguments' number, kinds and ranges, braces and keys against the row.
-/// errors  kBadArguments, kBadNumber.
+/// errors  kBadArguments, kBadNumber  naming the operation, and the argument or successor.
 Result<void> Check(const Action& action);
 
 /// Check, the item's type, apply.
@@ -79,13 +86,15 @@ struct Dial {
   double low, high;
   ParameterKind kind;
 };
-/// Every number of the action, in reading order; valid until the action changes shape.
+/// Every number of the action in reading order (arguments, then sizes, repeat groups included,
+/// named by the number of their successor); valid until the action changes shape.
 std::vector<Dial> Dials(Action* action);
 
 /// The parameter space of a row sampled for an item: every combination of its axes and selectors
 /// with each of `lengths_m` in turn for its length (both signs where its range allows them).
-/// A split is sampled by one cut, { length: A | ~1: B }; comp by comp(f) { all: A }. Rows that only
-/// change an item in place give nothing (Jesus 2018, Listing 6.1).
+/// A split is sampled by one cut, { length: A | ~1: B }, a repeat by { ~length: A }*, with lengths
+/// that fit the axis; comp by comp(f) { all: A }. Rows that don't take the item's type, or only
+/// change an item in place, give nothing (Jesus 2018, Listing 6.1).
 std::vector<Action> Samples(const Operation& operation, const Item& item,
                             std::span<const double> lengths_m);
 

@@ -2,6 +2,8 @@
 // Booleans, offsets and triangulation come from CGAL and stay behind this header.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "base/error.h"
@@ -28,6 +30,9 @@ struct Box2 {
 inline constexpr double kLengthTolerance_m = 1e-6;
 inline constexpr double kAreaTolerance_m2 = 1e-9;
 
+/// Corners nearer than this to a cut through something of this extent lie on it.
+constexpr double CutTolerance(double extent_m) { return 1e-9 * std::max(1.0, extent_m); }
+
 /// Positive for counter-clockwise rings.
 double SignedArea(const Ring& ring);
 /// Outer area less the holes'.
@@ -45,8 +50,10 @@ bool Contains(const Polygon& polygon, const Vec2& point);
 ///         where), or a hole outside the outline.
 Result<Polygon> PolygonFrom(const std::vector<Ring>& rings);
 
-/// The part with low <= coordinate <= high along axis (0: x, 1: y), as separate polygons, in order
-/// of their first corner along the ring. Empty where nothing of positive area is left.
+/// The part with low <= coordinate <= high along axis (0: x, 1: y), as separate polygons in a
+/// fixed order. They are cut exactly at low and high, so that neighbouring slabs share their
+/// border; where a corner of a hole lies on the cut, a piece touches itself in that corner. Empty
+/// where nothing of positive area is left.
 std::vector<Polygon> Slab(const Polygon& polygon, int axis, double low, double high);
 
 /// The polygon moved inward by distance_m (outward where negative) with mitred corners: several
@@ -54,8 +61,12 @@ std::vector<Polygon> Slab(const Polygon& polygon, int axis, double low, double h
 /// errors  kDegenerateGeometry  the library refuses the polygon.
 Result<std::vector<Polygon>> Offset(const Polygon& polygon, double distance_m);
 
-/// Constrained Delaunay triangles covering the polygon: three indices each into its corners,
-/// numbered outer ring first, then each hole. Counter-clockwise.
+/// `whole` without `parts`, which lie in it and come from Offset: the ring between a polygon and
+/// what Offset made of it, with holes where the parts were.
+std::vector<Polygon> Border(const Polygon& whole, const std::vector<Polygon>& parts);
+
+/// Triangles covering the polygon (constrained Delaunay; a fan where it is strictly convex): three
+/// indices each into its corners, numbered outer ring first, then each hole. Counter-clockwise.
 std::vector<uint32_t> Triangulate(const Polygon& polygon);
 
 }  // namespace parti::grammar

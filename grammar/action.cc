@@ -1,0 +1,32 @@
+#include "grammar/action.h"
+
+#include <array>
+
+namespace parti::grammar {
+namespace {
+
+constexpr std::array<std::string_view, 13> kSelectorNames = {
+    "all",  "front",    "back",       "left",  "right",  "top",   "bottom",
+    "side", "vertical", "horizontal", "index", "inside", "border"};
+
+}  // namespace
+
+bool Successor::operator==(const Successor&) const = default;
+bool Action::operator==(const Action&) const = default;
+
+std::string_view NameOf(Axis axis) {
+  constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
+  return kNames[static_cast<size_t>(axis)];
+}
+
+std::string_view NameOf(Selector::Kind kind) { return kSelectorNames[static_cast<size_t>(kind)]; }
+
+std::optional<Selector::Kind> SelectorNamed(std::string_view name) {
+  for (size_t i = 0; i < kSelectorNames.size(); ++i) {
+    const auto kind = static_cast<Selector::Kind>(i);
+    if (kSelectorNames[i] == name && kind != Selector::Kind::kIndex) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace parti::grammar

@@ -1,0 +1,221 @@
+// What can be read off an item: its geometry made explicit, its faces, edges and triangles.
+#include "grammar/item.h"
+
+#include "base/check.h"
+#include "grammar/item_make.h"
+
+namespace parti::grammar {
+namespace {
+
+/// Corners of a scope's rectangle, counter-clockwise from its origin.
+void AddRectangle(const Scope& s, std::vector<Vec3>* corners) {
+  const Vec3 x = s.x * s.size.x, y = s.y * s.size.y;
+  for (const Vec3& p : {s.origin, s.origin + x, s.origin + x + y, s.origin + y}) {
+    corners->push_back(p);
+  }
+}
+
+Item RectangleOf(const Item& parent, const Vec3& origin, const Vec3& x, const Vec3& normal,
+                 double width, double height) {
+  Item face;
+  face.type = ItemType::kPlanar;
+  face.scope = {origin, x, glm::cross(normal, x), normal, Vec3(width, height, 0)};
+  face.facing = normal;
+  face.color_rgb = parent.color_rgb;
+  return face;
+}
+
+/// The faces of a box in the order of BoxMesh.
+std::vector<Item> BoxFaces(const Item& box) {
+  const Scope& s = box.scope;
+  const Vec3 &o = s.origin, x = s.x * s.size.x, y = s.y * s.size.y, z = s.z * s.size.z;
+  const double w = s.size.x, h = s.size.y, d = s.size.z;
+  std::vector<Item> faces;
+  faces.reserve(6);
+  faces.push_back(RectangleOf(box, o + x + z, -s.x, -s.y, w, d));
+  faces.push_back(RectangleOf(box, o + y + z, s.x, s.y, w, d));
+  faces.push_back(RectangleOf(box, o + z, s.x, s.z, w, h));
+  faces.push_back(RectangleOf(box, o + x + z, -s.z, s.x, d, h));
+  faces.push_back(RectangleOf(box, o + x, -s.x, -s.z, w, h));
+  faces.push_back(RectangleOf(box, o, s.z, -s.x, d, h));
+  return faces;
+}
+
+/// A face's plane in the coordinates of its mesh, x along its first edge.
+struct FaceFrame {
+  Vec3 origin, x, y, normal;
+
+  FaceFrame(const Mesh& mesh, const MeshFace& face)
+      : origin(mesh.points[face.loop[0]]), normal(Normal(mesh, face)) {
+    const Vec3 edge = mesh.points[face.loop[1]] - origin;
+    x = glm::normalize(edge - normal * glm::dot(edge, normal));
+    y = glm::cross(normal, x);
+  }
+
+  Ring RingOf(const Mesh& mesh, const std::vector<uint32_t>& loop) const {
+    Ring ring;
+    ring.reserve(loop.size());
+    for (const uint32_t i : loop) {
+      const Vec3 d = mesh.points[i] - origin;
+      ring.emplace_back(glm::dot(d, x), glm::dot(d, y));
+    }
+    return ring;
+  }
+
+  Polygon PolygonOf(const Mesh& mesh, const MeshFace& face) const {
+    Polygon polygon{RingOf(mesh, face.loop), {}};
+    for (const auto& hole : face.holes) polygon.holes.push_back(RingOf(mesh, hole));
+    return polygon;
+  }
+};
+
+Item FaceItem(const Item& volume, const MeshFace& face) {
+  const FaceFrame frame(*volume.mesh, face);
+  const Scope& s = volume.scope;
+  const auto turn = [&](const Vec3& v) { return s.x * v.x + s.y * v.y + s.z * v.z; };
+  Scope scope;
+  scope.origin = s.ToWorld(frame.origin);
+  scope.x = turn(frame.x);
+  scope.y = turn(frame.y);
+  scope.z = turn(frame.normal);
+  return PlanarItem(scope, frame.PolygonOf(*volume.mesh, face), volume);
+}
+
+void AddRingEdges(const Scope& s, const Ring& ring, std::vector<Segment3>* edges) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    edges->push_back({s.ToWorld(Vec3(a.x, a.y, 0)), s.ToWorld(Vec3(b.x, b.y, 0))});
+  }
+}
+
+void AddRectangleEdges(const Scope& s, std::vector<Segment3>* edges) {
+  const Vec3 x = s.x * s.size.x, y = s.y * s.size.y;
+  const Vec3 a = s.origin, b = a + x, c = b + y, d = a + y;
+  edges->insert(edges->end(), {{a, b}, {b, c}, {c, d}, {d, a}});
+}
+
+void AddBoxEdges(const Scope& s, std::vector<Segment3>* edges) {
+  const Vec3 x = s.x * s.size.x, y = s.y * s.size.y, z = s.z * s.size.z;
+  const Vec3 foot[4] = {s.origin + z, s.origin + x + z, s.origin + x, s.origin};
+  for (const Vec3& rise : {Vec3(0, 0, 0), y}) {
+    for (int i = 0; i < 4; ++i) edges->push_back({foot[i] + rise, foot[(i + 1) % 4] + rise});
+  }
+  for (const Vec3& corner : foot) edges->push_back({corner, corner + y});
+}
+
+/// Every edge of a closed mesh is in two loops, once each way round: taken where it runs upward in
+/// number.
+void AddMeshEdges(const Item& volume, const std::vector<uint32_t>& loop,
+                  std::vector<Segment3>* edges) {
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+    if (a > b) continue;
+    edges->push_back({volume.scope.ToWorld(volume.mesh->points[a]),
+                      volume.scope.ToWorld(volume.mesh->points[b])});
+  }
+}
+
+void AddQuadTriangles(const std::vector<Vec3>& q, std::vector<Vec3>* corners) {
+  corners->insert(corners->end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+}
+
+void AddRectangleTriangles(const Scope& scope, std::vector<Vec3>* corners) {
+  std::vector<Vec3> quad;
+  AddRectangle(scope, &quad);
+  AddQuadTriangles(quad, corners);
+}
+
+void AddFaceTriangles(const Item& volume, const MeshFace& face, std::vector<Vec3>* corners) {
+  std::vector<uint32_t> numbers = face.loop;
+  for (const auto& hole : face.holes) numbers.insert(numbers.end(), hole.begin(), hole.end());
+  const FaceFrame frame(*volume.mesh, face);
+  for (const uint32_t i : Triangulate(frame.PolygonOf(*volume.mesh, face))) {
+    corners->push_back(volume.scope.ToWorld(volume.mesh->points[numbers[i]]));
+  }
+}
+
+double FaceArea(const Mesh& mesh, const MeshFace& face) {
+  return Area(FaceFrame(mesh, face).PolygonOf(mesh, face));
+}
+
+}  // namespace
+
+std::string_view NameOf(ItemType type) {
+  return type == ItemType::kVolume ? "VolumetricShape" : "PlanarShape";
+}
+
+Polygon PolygonOf(const Item& planar) {
+  CHECK(planar.type == ItemType::kPlanar, "only a planar item is a polygon");
+  if (planar.polygon) return *planar.polygon;
+  return Rectangle(Vec2(planar.scope.size.x, planar.scope.size.y));
+}
+
+Mesh MeshOf(const Item& volume) {
+  CHECK(volume.type == ItemType::kVolume, "only a volume is a mesh");
+  return volume.mesh ? *volume.mesh : BoxMesh(volume.scope.size);
+}
+
+double AreaOf(const Item& item) {
+  const Vec3& size = item.scope.size;
+  if (item.type == ItemType::kPlanar) {
+    return item.polygon ? Area(*item.polygon) : size.x * size.y;
+  }
+  if (!item.mesh) return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  double area = 0;
+  for (const MeshFace& face : item.mesh->faces) area += FaceArea(*item.mesh, face);
+  return area;
+}
+
+double VolumeOf(const Item& item) {
+  if (item.type == ItemType::kPlanar) return 0;
+  const Vec3& size = item.scope.size;
+  return item.mesh ? Volume(*item.mesh) : size.x * size.y * size.z;
+}
+
+std::vector<Item> FacesOf(const Item& item) {
+  if (item.type == ItemType::kPlanar) return {item};
+  if (!item.mesh) return BoxFaces(item);
+  std::vector<Item> faces;
+  faces.reserve(item.mesh->faces.size());
+  for (const MeshFace& face : item.mesh->faces) faces.push_back(FaceItem(item, face));
+  return faces;
+}
+
+void EdgesOf(const Item& item, std::vector<Segment3>* edges) {
+  if (item.type == ItemType::kPlanar) {
+    if (!item.polygon) return AddRectangleEdges(item.scope, edges);
+    AddRingEdges(item.scope, item.polygon->outer, edges);
+    for (const Ring& hole : item.polygon->holes) AddRingEdges(item.scope, hole, edges);
+    return;
+  }
+  if (!item.mesh) return AddBoxEdges(item.scope, edges);
+  for (const MeshFace& face : item.mesh->faces) {
+    AddMeshEdges(item, face.loop, edges);
+    for (const auto& hole : face.holes) AddMeshEdges(item, hole, edges);
+  }
+}
+
+std::vector<Segment3> EdgesOf(const Item& item) {
+  std::vector<Segment3> edges;
+  EdgesOf(item, &edges);
+  return edges;
+}
+
+void TrianglesOf(const Item& item, std::vector<Vec3>* corners) {
+  if (item.type == ItemType::kPlanar) {
+    if (!item.polygon) return AddRectangleTriangles(item.scope, corners);
+    std::vector<Vec2> flat = item.polygon->outer;
+    for (const Ring& hole : item.polygon->holes) flat.insert(flat.end(), hole.begin(), hole.end());
+    for (const uint32_t i : Triangulate(*item.polygon)) {
+      corners->push_back(item.scope.ToWorld(Vec3(flat[i].x, flat[i].y, 0)));
+    }
+    return;
+  }
+  if (!item.mesh) {
+    for (const Item& face : BoxFaces(item)) AddRectangleTriangles(face.scope, corners);
+    return;
+  }
+  for (const MeshFace& face : item.mesh->faces) AddFaceTriangles(item, face, corners);
+}
+
+}  // namespace parti::grammar

@@ -1,0 +1,201 @@
+// Actions against their row of the table (Check), and applying them (Apply).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammar/operation.h"
+#include "grammar/operations/split_sizes.h"
+
+namespace parti::grammar {
+namespace {
+
+constexpr double kLargestSize_m = 1e9;
+
+std::string_view Name(const Action& action) { return action.operation->name; }
+
+Result<void> CheckNumber(const Action& action, const Parameter& parameter, double value) {
+  if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return {};
+  return Fail(ErrorCode::kBadNumber,
+              fmt::format("{}: {} is {:.6g}", Name(action), parameter.name, value),
+              fmt::format("give a number from {:.6g} to {:.6g}", parameter.low, parameter.high));
+}
+
+bool IsColor(std::string_view text) {
+  const auto is_digit = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+  };
+  return text.size() == 7 && text[0] == '#' && std::all_of(text.begin() + 1, text.end(), is_digit);
+}
+
+Result<void> CheckText(const Action& action, const Parameter& parameter, std::string_view text) {
+  const auto fail = [&](std::string hint) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{}: {} is '{}'", Name(action), parameter.name, text), std::move(hint));
+  };
+  if (parameter.kind == ParameterKind::kColor && !IsColor(text)) {
+    return fail("give a color as \"#rrggbb\"");
+  }
+  if (parameter.kind == ParameterKind::kText && text.empty()) return fail("give a name");
+  if (parameter.kind == ParameterKind::kWord &&
+      std::find(parameter.words.begin(), parameter.words.end(), text) == parameter.words.end()) {
+    return fail(fmt::format("give {}", fmt::join(parameter.words, " or ")));
+  }
+  return {};
+}
+
+std::string_view Wanted(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kLength:
+      return "a length in metres";
+    case ParameterKind::kAngle:
+      return "an angle in degrees";
+    case ParameterKind::kFactor:
+      return "a number";
+    case ParameterKind::kAxis:
+      return "an axis, x, y or z";
+    case ParameterKind::kText:
+      return "a text in quotes";
+    case ParameterKind::kColor:
+      return "a color as \"#rrggbb\"";
+    case ParameterKind::kWord:
+      return "a word";
+  }
+  return "";
+}
+
+Result<void> CheckArgument(const Action& action, size_t i) {
+  const Parameter& parameter = action.operation->parameters[i];
+  const Argument& argument = action.arguments[i];
+  const bool is_number = parameter.kind == ParameterKind::kLength ||
+                         parameter.kind == ParameterKind::kAngle ||
+                         parameter.kind == ParameterKind::kFactor;
+  if (is_number && std::holds_alternative<double>(argument)) {
+    return CheckNumber(action, parameter, std::get<double>(argument));
+  }
+  if (parameter.kind == ParameterKind::kAxis && std::holds_alternative<Axis>(argument)) return {};
+  const bool is_text = !is_number && parameter.kind != ParameterKind::kAxis;
+  if (is_text && std::holds_alternative<std::string>(argument)) {
+    return CheckText(action, parameter, std::get<std::string>(argument));
+  }
+  return Fail(ErrorCode::kBadArguments,
+              fmt::format("{}: {} is of another kind", Name(action), parameter.name),
+              fmt::format("give {}", Wanted(parameter.kind)));
+}
+
+Result<void> CheckArguments(const Action& action) {
+  const size_t wanted = action.operation->parameters.size();
+  if (action.arguments.size() != wanted) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{} takes {} argument{}, got {}", Name(action), wanted,
+                            wanted == 1 ? "" : "s", action.arguments.size()));
+  }
+  for (size_t i = 0; i < wanted; ++i) {
+    if (auto good = CheckArgument(action, i); !good) return good;
+  }
+  return {};
+}
+
+Result<void> CheckSize(const Action& action, const Successor& successor) {
+  const Size* size = std::get_if<Size>(&successor.key);
+  if (size == nullptr) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{}: a successor without a size", Name(action)),
+                "write size: Symbol, as in 3: Door or ~1: Wall");
+  }
+  if (std::isfinite(size->value) && std::abs(size->value) <= kLargestSize_m) return {};
+  return Fail(ErrorCode::kBadNumber, fmt::format("{}: a size is {:.6g}", Name(action), size->value),
+              fmt::format("give a number up to {:.0g}", kLargestSize_m));
+}
+
+Result<void> CheckSelector(const Action& action, const Successor& successor) {
+  const auto& known = action.operation->selectors;
+  std::vector<std::string_view> names;
+  for (const Selector::Kind kind : known) {
+    names.push_back(kind == Selector::Kind::kIndex ? "a face's number" : NameOf(kind));
+  }
+  const std::string hint = fmt::format("selectors are {}", fmt::join(names, ", "));
+  const Selector* selector = std::get_if<Selector>(&successor.key);
+  if (selector == nullptr || !successor.repeat.empty()) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{}: a successor without a selector", Name(action)), hint);
+  }
+  if (std::find(known.begin(), known.end(), selector->kind) == known.end()) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{} has no selector '{}'", Name(action), NameOf(selector->kind)), hint);
+  }
+  if (selector->kind == Selector::Kind::kIndex && selector->index < 0) {
+    return Fail(ErrorCode::kBadNumber,
+                fmt::format("{}: a face's number is {}", Name(action), selector->index),
+                "faces count from 0");
+  }
+  return {};
+}
+
+/// In-place actions before a successor's symbol.
+Result<void> CheckLeaf(const Action& action, const Successor& successor) {
+  for (const Action& in_place : successor.actions) {
+    if (auto good = Check(in_place); !good) return good;
+    if (in_place.operation->in_place) continue;
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{}: {} makes shapes and can't stand before a symbol", Name(action),
+                            Name(in_place)),
+                "give it a node or rule of its own");
+  }
+  return {};
+}
+
+Result<void> CheckSizes(const Action& action, std::span<const Successor> list, int depth) {
+  if (depth > kDeepestRepeat) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{}: repeat groups more than {} deep", Name(action), kDeepestRepeat));
+  }
+  for (const Successor& s : list) {
+    auto good = s.repeat.empty() ? CheckSize(action, s) : CheckSizes(action, s.repeat, depth + 1);
+    if (!good) return good;
+    if (auto leaf = CheckLeaf(action, s); !leaf) return leaf;
+  }
+  return {};
+}
+
+Result<void> CheckBraces(const Action& action) {
+  const bool has_braces = action.operation->braces != Braces::kNone;
+  if (has_braces == action.successors.empty()) {
+    return Fail(ErrorCode::kBadArguments,
+                has_braces ? fmt::format("{} needs successors in braces", Name(action))
+                           : fmt::format("{} takes no successors in braces", Name(action)));
+  }
+  if (!action.symbol.empty() && (has_braces || action.operation->in_place)) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{} takes no symbol after it, got '{}'", Name(action), action.symbol));
+  }
+  if (action.operation->braces == Braces::kSizes) return CheckSizes(action, action.successors, 0);
+  for (const Successor& s : action.successors) {
+    if (auto good = CheckSelector(action, s); !good) return good;
+    if (auto good = CheckLeaf(action, s); !good) return good;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> Check(const Action& action) {
+  if (action.operation == nullptr) {
+    return Fail(ErrorCode::kBadArguments, "an action without an operation");
+  }
+  if (auto good = CheckArguments(action); !good) return good;
+  return CheckBraces(action);
+}
+
+Result<std::vector<Product>> Apply(const Action& action, const Item& item) {
+  if (auto good = Check(action); !good) return Fail(good);
+  if ((action.operation->takes & Types(item.type)) == 0) {
+    return Fail(
+        ErrorCode::kWrongItemType,
+        fmt::format("{} can't be applied to a {}", Name(action), NameOf(item.type)),
+        item.type == ItemType::kVolume ? "take its faces with comp(f) first" : "extrude it first");
+  }
+  return action.operation->apply(item, action);
+}
+
+}  // namespace parti::grammar

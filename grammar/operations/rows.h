@@ -1,0 +1,14 @@
+// The rows of the operation table, one file each; operation.cc puts them in order.
+#pragma once
+
+#include "grammar/operation.h"
+
+namespace parti::grammar {
+
+extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor;
+
+/// The first successor whose selector is `kind`; -1 when there is none or it makes nothing (NIL).
+/// Only for actions without repeat groups.
+int SuccessorFor(const Action& action, Selector::Kind kind);
+
+}  // namespace parti::grammar

@@ -1,0 +1,112 @@
+// split(axis) { sizes } and repeat: a shape cut into slabs along an axis of its scope.
+#include <array>
+#include <utility>
+
+#include "grammar/item_make.h"
+#include "grammar/operations/rows.h"
+#include "grammar/operations/split_sizes.h"
+
+namespace parti::grammar {
+namespace {
+
+/// The axis of the item that the action names; -1: it has no extent there. On planar shapes that
+/// lie flat, where CGA says z for depth, y and z are both the second in-plane axis.
+int AxisIn(const Item& item, Axis named) {
+  const int axis = static_cast<int>(named);
+  if (item.type == ItemType::kVolume || axis < 2) return axis;
+  constexpr double kFlat = 0.70710678118654752;  // elevation of 45 deg, as for :up (errata 10)
+  return std::abs(item.scope.z.y) >= kFlat - 1e-9 ? 1 : -1;
+}
+
+/// The part of a rectangle or box: the same axes, a stretch of one of them.
+Item Stretch(const Item& whole, int axis, const SplitPiece& piece) {
+  Item part = whole;
+  part.scope.origin += whole.scope.axis(axis) * piece.low;
+  part.scope.size[axis] = piece.high - piece.low;
+  return part;
+}
+
+void AddParts(const Item& item, int axis, const SplitPiece& piece, std::vector<Product>* products) {
+  if (item.polygon) {
+    for (Polygon& part : Slab(*item.polygon, axis, piece.low, piece.high)) {
+      products->push_back({PlanarItem(item.scope, std::move(part), item), piece.successor});
+    }
+  } else if (item.mesh) {
+    Mesh part = Slab(*item.mesh, axis, piece.low, piece.high);
+    if (part.faces.empty()) return;
+    products->push_back({VolumeItem(item.scope, std::move(part), item), piece.successor});
+  } else {
+    products->push_back({Stretch(item, axis, piece), piece.successor});
+  }
+}
+
+using Resolve = Result<void> (*)(std::span<const Successor>, double, std::vector<SplitPiece>*);
+
+Result<std::vector<Product>> Cut(const Item& item, const Action& action, Resolve resolve) {
+  const int axis = AxisIn(item, std::get<Axis>(action.arguments[0]));
+  if (axis < 0) {
+    return Fail(ErrorCode::kBadArguments, "an upright planar shape can't be split along z",
+                "split along x or y");
+  }
+  std::vector<SplitPiece> pieces;
+  pieces.reserve(action.successors.size());
+  const auto resolved = resolve(action.successors, item.scope.size[axis], &pieces);
+  if (!resolved) return Fail(resolved);
+  std::vector<Product> products;
+  products.reserve(pieces.size());
+  for (const SplitPiece& piece : pieces) {
+    if (!piece.nil) AddParts(item, axis, piece, &products);
+  }
+  return products;
+}
+
+Result<std::vector<Product>> ApplySplit(const Item& item, const Action& action) {
+  return Cut(item, action, ResolveSplit);
+}
+
+Result<std::vector<Product>> ApplyRepeat(const Item& item, const Action& action) {
+  return Cut(item, action, ResolveRepeat);
+}
+
+const std::array<Parameter, 1> kParameters = {{{
+    .name = "axis",
+    .kind = ParameterKind::kAxis,
+    .default_value = Axis::kX,
+    .doc = "of the shape's scope: x along its first edge, y up",
+}}};
+
+constexpr ItemTypes kBoth = Types(ItemType::kVolume, ItemType::kPlanar);
+
+}  // namespace
+
+constinit const Operation kSplit = {
+    .name = "split",
+    .word = "Split",
+    .doc =
+        "Cuts a shape into slabs along an axis: sizes in metres, '0.5 of the whole, ~1 a share "
+        "of the rest; { … }* repeats.",
+    .source = "Müller et al. 2006; Jesus 2018, 4.2",
+    .parameters = kParameters,
+    .braces = Braces::kSizes,
+    .selectors = {},
+    .takes = kBoth,
+    .gives = kBoth,
+    .in_place = false,
+    .apply = ApplySplit,
+};
+
+constinit const Operation kRepeat = {
+    .name = "repeat",
+    .word = "Repeat",
+    .doc = "Cuts a shape into as many equal patterns as fit; written split(axis) { ~size: X }*.",
+    .source = "Müller et al. 2006; Jesus 2018, 6.5.3; errata 7",
+    .parameters = kParameters,
+    .braces = Braces::kSizes,
+    .selectors = {},
+    .takes = kBoth,
+    .gives = kBoth,
+    .in_place = false,
+    .apply = ApplyRepeat,
+};
+
+}  // namespace parti::grammar

@@ -1,0 +1,36 @@
+// symbol("Name"): gives a shape another symbol. The tree keeps it; the item stays as it is.
+#include <array>
+
+#include "grammar/operations/rows.h"
+
+namespace parti::grammar {
+namespace {
+
+Result<std::vector<Product>> ApplySymbol(const Item& item, const Action&) {
+  return std::vector<Product>{{item, -1}};
+}
+
+const std::array<Parameter, 1> kParameters = {{{
+    .name = "symbol",
+    .kind = ParameterKind::kText,
+    .default_value = std::string("Shape"),
+    .doc = "the shape's new symbol, which queries find as .Symbol",
+}}};
+
+}  // namespace
+
+constinit const Operation kSymbol = {
+    .name = "symbol",
+    .word = "Symbol",
+    .doc = "Gives a shape another symbol.",
+    .source = "Jesus 2018, 5.2",
+    .parameters = kParameters,
+    .braces = Braces::kNone,
+    .selectors = {},
+    .takes = Types(ItemType::kVolume, ItemType::kPlanar),
+    .gives = Types(ItemType::kVolume, ItemType::kPlanar),
+    .in_place = true,
+    .apply = ApplySymbol,
+};
+
+}  // namespace parti::grammar

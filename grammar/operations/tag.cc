@@ -1,0 +1,36 @@
+// tag("name"): marks a shape for queries. The tree keeps the tag; the item stays as it is.
+#include <array>
+
+#include "grammar/operations/rows.h"
+
+namespace parti::grammar {
+namespace {
+
+Result<std::vector<Product>> ApplyTag(const Item& item, const Action&) {
+  return std::vector<Product>{{item, -1}};
+}
+
+const std::array<Parameter, 1> kParameters = {{{
+    .name = "tag",
+    .kind = ParameterKind::kText,
+    .default_value = std::string("tag"),
+    .doc = "what queries find as #tag",
+}}};
+
+}  // namespace
+
+constinit const Operation kTag = {
+    .name = "tag",
+    .word = "Tag",
+    .doc = "Marks a shape, so that queries find it as #tag.",
+    .source = "Jesus 2018, 5.2",
+    .parameters = kParameters,
+    .braces = Braces::kNone,
+    .selectors = {},
+    .takes = Types(ItemType::kVolume, ItemType::kPlanar),
+    .gives = Types(ItemType::kVolume, ItemType::kPlanar),
+    .in_place = true,
+    .apply = ApplyTag,
+};
+
+}  // namespace parti::grammar

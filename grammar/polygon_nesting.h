@@ -1,0 +1,18 @@
+// Loops to polygons: which hole lies in which outline.
+#pragma once
+
+#include <vector>
+
+#include "grammar/polygon.h"
+
+namespace parti::grammar {
+
+/// One polygon per outline (counter-clockwise), with those of `holes` (clockwise) that lie in it;
+/// a hole goes to the smallest outline around it, and one around which there is none is dropped.
+/// Loops may touch but not cross. Order of the outlines is kept. O(outlines x corners of holes).
+std::vector<Polygon> Nest(std::vector<Ring> outlines, std::vector<Ring> holes);
+
+/// Leaves out corners within kLengthTolerance_m of their predecessor.
+void DropRepeatedCorners(Ring* ring);
+
+}  // namespace parti::grammar
