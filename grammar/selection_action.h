@@ -77,8 +77,7 @@ struct Derivation {
 /// that `previous` started from, else everything runs). `cancelled` may be null.
 ///
 /// An operation in place changes the shape that it is applied to; every other makes children.
-/// Operations before a successor's symbol act on the child before it is appended; one with braces
-/// among them makes the child's children. NIL makes nothing.
+/// Operations in place before a successor's symbol change the child. NIL makes nothing.
 ///
 /// errors  kWrongItemType, kDegenerateGeometry, kBadArguments  naming node and shape;
 ///         kLimitReached  too many shapes, naming the node; cancelled.

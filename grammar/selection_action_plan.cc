@@ -30,81 +30,40 @@ void AddAlternatives(const std::vector<Successor>& successors, ShapeTree* tree, 
   }
 }
 
-/// A shape that is not in the tree yet.
-struct Draft {
-  Item item;
-  const Operation* operation = nullptr;
-  NameId symbol = kNoName;
+/// Runs the successor's operations on a product and appends what comes of it.
+Result<void> Append(Item item, const AlternativePlan& plan, const Operation* operation,
+                    ShapeIndex parent, ShapeTree* tree) {
+  NameId symbol = plan.symbol;
   std::vector<NameId> tags;
-};
-
-class Actor {
- public:
-  Actor(uint32_t most, ShapeTree* tree) : most_(most), tree_(*tree) {}
-
-  Result<void> Make(const ActionPlan& plan, ShapeIndex parent) {
-    auto products = Apply(*plan.action, tree_[parent].item);
-    if (!products) return Fail(products);
-    for (Product& product : *products) {
-      const AlternativePlan& alternative = plan.AlternativeOf(product);
-      Draft draft{std::move(product.item), plan.action->operation, kNoName, {}};
-      const auto finished = Finish(alternative, 0, std::move(draft), parent);
-      if (!finished) return finished;
-    }
-    return {};
+  for (const ActionPlan& step : plan.steps) {
+    if (step.kind == ActionPlan::Kind::kTag) tags.push_back(step.name);
+    if (step.kind == ActionPlan::Kind::kSymbol && symbol == kNoName) symbol = step.name;
+    if (step.kind != ActionPlan::Kind::kChange) continue;
+    auto changed = Apply(*step.action, item);
+    if (!changed) return Fail(changed);
+    CHECK(changed->size() == 1, "an operation in place gives the item back");
+    item = std::move(changed->front().item);
   }
+  tree->Append(parent, std::move(item), symbol, operation, std::move(tags));
+  return {};
+}
 
- private:
-  /// Runs the steps from `first` on and appends what they make of the draft.
-  Result<void> Finish(const AlternativePlan& plan, size_t first, Draft draft, ShapeIndex parent) {
-    if (plan.nil) return {};
-    for (size_t i = first; i < plan.steps.size(); ++i) {
-      const ActionPlan& step = plan.steps[i];
-      if (step.kind == ActionPlan::Kind::kTag) {
-        draft.tags.push_back(step.name);
-      } else if (step.kind == ActionPlan::Kind::kSymbol) {
-        draft.symbol = step.name;
-      } else if (step.action->operation->braces != Braces::kNone) {
-        const auto shape = Append(plan, std::move(draft), parent);
-        return shape ? Make(step, *shape) : Fail(shape);
-      } else {
-        return FinishEach(plan, i, draft, parent);
-      }
-    }
-    const auto shape = Append(plan, std::move(draft), parent);
-    if (!shape) return Fail(shape);
-    return {};
-  }
-
-  /// Step `i` without braces: what follows it happens to each of its products.
-  Result<void> FinishEach(const AlternativePlan& plan, size_t i, const Draft& draft,
-                          ShapeIndex parent) {
-    const ActionPlan& step = plan.steps[i];
-    auto products = Apply(*step.action, draft.item);
-    if (!products) return Fail(products);
-    for (Product& product : *products) {
-      Draft next = draft;
-      next.item = std::move(product.item);
-      if (step.kind == ActionPlan::Kind::kMake) next.operation = step.action->operation;
-      const auto finished = Finish(plan, i + 1, std::move(next), parent);
-      if (!finished) return finished;
-    }
-    return {};
-  }
-
-  Result<ShapeIndex> Append(const AlternativePlan& plan, Draft draft, ShapeIndex parent) {
-    if (tree_.size() >= most_) {
-      return Fail(ErrorCode::kLimitReached, fmt::format("more than {} shapes", most_),
+Result<void> Make(const ActionPlan& plan, ShapeIndex parent, uint32_t most, ShapeTree* tree) {
+  auto products = Apply(*plan.action, (*tree)[parent].item);
+  if (!products) return Fail(products);
+  for (Product& product : *products) {
+    const AlternativePlan& alternative = plan.AlternativeOf(product);
+    if (alternative.nil) continue;
+    if (tree->size() >= most) {
+      return Fail(ErrorCode::kLimitReached, fmt::format("more than {} shapes", most),
                   "check its sizes, or raise the limit");
     }
-    return tree_.Append(parent, std::move(draft.item),
-                        plan.symbol == kNoName ? draft.symbol : plan.symbol, draft.operation,
-                        std::move(draft.tags));
+    const auto appended =
+        Append(std::move(product.item), alternative, plan.action->operation, parent, tree);
+    if (!appended) return appended;
   }
-
-  uint32_t most_;
-  ShapeTree& tree_;
-};
+  return {};
+}
 
 }  // namespace
 
@@ -133,7 +92,7 @@ ActionPlan PlanOf(const Action& action, ShapeTree* tree) {
 }
 
 Result<void> Act(const ActionPlan& plan, ShapeIndex shape, uint32_t most, ShapeTree* tree) {
-  if (plan.kind == ActionPlan::Kind::kMake) return Actor(most, tree).Make(plan, shape);
+  if (plan.kind == ActionPlan::Kind::kMake) return Make(plan, shape, most, tree);
   if (plan.kind == ActionPlan::Kind::kTag) tree->AddTag(shape, plan.name);
   if (plan.kind == ActionPlan::Kind::kSymbol) tree->SetSymbol(shape, plan.name);
   if (plan.kind == ActionPlan::Kind::kChange) {
