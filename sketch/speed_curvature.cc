@@ -12,6 +12,20 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
+// How far the speed of a stroke tells its corners, [0, 1]. The ends don't count: every pen starts
+// and stops.
+double TrustInSpeed(const StrokePath& path, const std::vector<double>& slowness,
+                    const SegmentationParameters& p) {
+  const int margin = path.Steps(p.near_span);
+  double slowest = 0;
+  for (int i = margin; i < path.size() - margin; ++i) slowest = std::max(slowest, slowness[i]);
+  return std::min(1.0, slowest / p.telling_slowness);
+}
+
+double ExpectedSlowness(double turn, const SegmentationParameters& p) {
+  return std::clamp(p.slowness_per_turn * (turn - p.free_turn), 0.0, p.usual_slowness);
+}
+
 bool IsCheapestAround(const std::vector<double>& price, int at, int steps) {
   const int last = static_cast<int>(price.size()) - 1;
   for (int i = std::max(0, at - steps); i < at; ++i) {
@@ -79,14 +93,16 @@ CornerEvidence EvidenceOf(const StrokePath& path, const SegmentationParameters& 
   const int near = path.Steps(parameters.near_span);
   const int far = path.Steps(parameters.far_span);
   const std::vector<double> slowness = Slowness(path, parameters);
+  const double trust = TrustInSpeed(path, slowness, parameters);
   CornerEvidence evidence;
   evidence.near_turn.resize(slowness.size());
   evidence.price.resize(slowness.size());
   for (int i = 0; i < path.size(); ++i) {
     evidence.near_turn[i] = TurnAt(path, i, near);
     const double turn = 0.5 * (evidence.near_turn[i] + TurnAt(path, i, far));
-    evidence.price[i] = parameters.corner_price - parameters.turn_weight * turn -
-                        parameters.slowness_weight * slowness[i];
+    const double slow = std::lerp(ExpectedSlowness(turn, parameters), slowness[i], trust);
+    evidence.price[i] =
+        parameters.corner_price - parameters.turn_weight * turn - parameters.slowness_weight * slow;
   }
   return evidence;
 }
@@ -95,7 +111,8 @@ std::vector<int> CornerCandidates(const StrokePath& path, const CornerEvidence& 
                                   const SegmentationParameters& parameters) {
   const int steps = path.Steps(parameters.candidate_span);
   std::vector<int> candidates;
-  for (int i = 1; i + 1 < path.size(); ++i) {
+  const int hook = path.Steps(parameters.hook_length);
+  for (int i = hook; i < path.size() - hook; ++i) {
     if (evidence.near_turn[i] < parameters.least_turn) continue;
     if (IsCheapestAround(evidence.price, i, steps)) candidates.push_back(i);
   }

@@ -65,7 +65,7 @@ class Walker {
 
 int StepsOf(double length, double diagonal, const SegmentationParameters& p) {
   const double wanted = std::ceil(length / diagonal * p.steps_per_diagonal);
-  return static_cast<int>(std::clamp<double>(wanted, p.fewest_steps, p.most_steps));
+  return static_cast<int>(std::min<double>(wanted, p.most_steps));
 }
 
 }  // namespace

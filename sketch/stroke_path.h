@@ -10,7 +10,8 @@
 
 namespace parti::sketch {
 
-/// A stroke as points at equal distances along it. All vectors have the same size, at least 9.
+/// A stroke as points at equal distances along it. All vectors have the same size:
+/// steps_per_diagonal + 1 or more (a path is no shorter than its diagonal), most_steps + 1 at most.
 struct StrokePath {
   std::vector<Vec2> position;  ///< first and last are the stroke's
   std::vector<double> t_s;     ///< never decreasing
