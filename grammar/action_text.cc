@@ -380,7 +380,7 @@ class ActionReader {
 /// A name after an action is its symbol, unless the next node's query starts with it.
 bool AtSymbol(const Lexer& lexer) {
   if (lexer.At(Token::Kind::kText)) return true;
-  if (!lexer.At(Token::Kind::kName)) return false;
+  if (!lexer.At(Token::Kind::kName) || lexer.AtWord(kOff)) return false;
   Lexer ahead = lexer;
   ahead.Next();
   const bool part = ahead.At('.') || ahead.At('#') || ahead.At(':');

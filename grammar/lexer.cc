@@ -239,7 +239,7 @@ void Lexer::Bad(size_t length, std::string message, std::string hint) {
 }
 
 bool IsName(std::string_view name) {
-  if (name.empty() || !IsLetter(CodePointAt(name, 0).value)) return false;
+  if (name == kOff || name.empty() || !IsLetter(CodePointAt(name, 0).value)) return false;
   for (size_t i = 0; i < name.size();) {
     const CodePoint c = CodePointAt(name, i);
     if (!IsLetter(c.value) && !IsDigit(c.value)) return false;

@@ -85,6 +85,9 @@ class Lexer {
   Token token_;
 };
 
+/// Before a node, and after a tree's name: it does not run. No symbol without quotes.
+inline constexpr std::string_view kOff = "off";
+
 /// Whether `name` can stand without quotes where a symbol, a tag or a tree's name is wanted.
 bool IsName(std::string_view name);
 /// The name, quoted and escaped where it must be.

@@ -12,7 +12,6 @@ namespace {
 
 constexpr size_t kMostErrors = 50;
 constexpr std::string_view kTree = "tree";
-constexpr std::string_view kOff = "off";
 constexpr std::string_view kVersion = "version";
 
 class TreesReader {
@@ -37,6 +36,13 @@ class TreesReader {
   }
 
  private:
+  /// Where a node began.
+  struct Start {
+    Token token;
+    size_t previous_end;
+    int open_braces;
+  };
+
   bool TooMany() const { return errors_.size() >= kMostErrors; }
   void Report(Error error) {
     if (!TooMany()) errors_.push_back(std::move(error));
@@ -98,23 +104,22 @@ class TreesReader {
 
   SelectionActionNode ReadNode(int depth) {
     SelectionActionNode node;
-    const int braces = lexer_.open_braces();
-    const Token start = lexer_.Peek();
+    const Start start{lexer_.Peek(), lexer_.previous_end(), lexer_.open_braces()};
     node.enabled = !lexer_.AcceptWord(kOff);
-    if (!ReadSelection(&node, braces) || !ReadOperation(&node, braces)) GoToChildrenOrNext(braces);
+    if (!ReadSelection(&node, start) || !ReadOperation(&node)) GoToChildrenOrNext(start);
     lexer_.Accept(';');
-    if (lexer_.At('{')) ReadChildren(&node, start, depth);
+    if (lexer_.At('{')) ReadChildren(&node, start.token, depth);
     return node;
   }
 
   /// Goes on to the arrow after an error, so that the action is checked too.
-  bool ReadSelection(SelectionActionNode* node, int braces) {
+  bool ReadSelection(SelectionActionNode* node, const Start& start) {
     auto query = ReadQuery(&lexer_);
     if (query) {
       node->query = std::move(*query);
     } else {
       Report(query.error());
-      GoToChildrenOrNext(braces, /*stop_at_arrow=*/true);
+      GoToChildrenOrNext(start, /*stop_at_arrow=*/true);
     }
     if (lexer_.At(Token::Kind::kArrow)) {
       lexer_.Next();
@@ -124,7 +129,7 @@ class TreesReader {
     return false;
   }
 
-  bool ReadOperation(SelectionActionNode* node, int braces) {
+  bool ReadOperation(SelectionActionNode* node) {
     auto action = ReadAction(&lexer_);
     if (!action) {
       Report(action.error());
@@ -136,7 +141,6 @@ class TreesReader {
     if (name.kind != Token::Kind::kName || !ahead.At('(')) return true;
     Report(lexer_.ErrorAt(name, ErrorCode::kBadText, "a node has one operation",
                           "give the second a node of its own"));
-    (void)braces;
     return false;
   }
 
@@ -157,15 +161,14 @@ class TreesReader {
 
   /// Skips to where reading can go on after an error in a node: its children's brace, a semicolon,
   /// the next node, or the brace that closes the list it stands in.
-  void GoToChildrenOrNext(int braces, bool stop_at_arrow = false) {
-    for (bool moved = false; !lexer_.At(Token::Kind::kEnd); moved = true) {
-      if (lexer_.open_braces() <= braces) {
-        if (lexer_.At(';') || lexer_.At('}')) return;
-        if (stop_at_arrow && lexer_.At(Token::Kind::kArrow)) return;
-        if (moved && lexer_.Peek().starts_line && AtNode()) return;
-        if (lexer_.At('{') && OpensNodes()) return;
-      }
-      lexer_.Next();
+  void GoToChildrenOrNext(const Start& start, bool stop_at_arrow = false) {
+    for (; !lexer_.At(Token::Kind::kEnd); lexer_.Next()) {
+      if (lexer_.open_braces() > start.open_braces) continue;
+      if (lexer_.At(';') || lexer_.At('}')) return;
+      if (stop_at_arrow && lexer_.At(Token::Kind::kArrow)) return;
+      const bool moved = lexer_.previous_end() > start.previous_end;
+      if (moved && lexer_.Peek().starts_line && AtNode()) return;
+      if (lexer_.At('{') && OpensNodes()) return;
     }
   }
 

@@ -135,6 +135,7 @@ TEST(Names, WhatIsNoNameIsQuoted) {
   EXPECT_EQ(NameText("Door_2"), "Door_2");
   EXPECT_EQ(NameText("left door"), "\"left door\"");
   EXPECT_EQ(NameText("2nd"), "\"2nd\"");
+  EXPECT_EQ(NameText("off"), "\"off\"");
   EXPECT_EQ(NameText("ε"), "\"ε\"");
   EXPECT_EQ(NameText(""), "\"\"");
 }

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include "grammar/operation.h"
 #include "grammar/query_filter.h"
 #include "grammar/selection_action.h"
 
