@@ -1,4 +1,5 @@
 // The box around what can be drawn: cameras, depth range, shadow and grid are chosen from it.
+// The matrix from the world to the picture is here too; what fills the picture is not.
 #pragma once
 
 #include "base/camera.h"
@@ -19,11 +20,10 @@ struct Bounds {
   Vec3 high{-1, -1, -1};
 
   bool empty() const { return low.x > high.x; }
-  void Add(const Vec3& p);
+  void Add(const Vec3& p);  ///< p must be finite
   Vec3 middle() const { return empty() ? Vec3(0) : (low + high) * 0.5; }
-  double radius() const {
-    return empty() ? 0.0 : glm::length(high - low) * 0.5;
-  }  ///< half diagonal
+  /// Half the diagonal [m]; 0 while empty.
+  double radius() const { return empty() ? 0.0 : glm::length(high - low) * 0.5; }
 };
 
 /// Of drawable faces, and of lines too where asked.

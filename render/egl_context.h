@@ -1,4 +1,5 @@
-// EGL without any surface: pictures on machines with or without a GPU, where there is no OSMesa.
+// EGL without any surface: pictures where there is no OSMesa, with or without a GPU.
+// Windows get EGL contexts of their own, with surfaces.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,4 @@
+// Faces: lit flat, with the sun's shadow on them; and their ids.
 #include "render/passes.h"
 
 namespace parti::render {
@@ -40,8 +41,8 @@ void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const
   program.Use();
   SetPlace(program, frame);
   SetLight(program, frame, scene);
-  shadow.Set(gl, program);
-  scene.faces.ForEachBlock([&gl](GLsizei n) { gl.DrawArrays(GL_TRIANGLES, 0, n); });
+  SetShadow(gl, program, shadow, frame);
+  scene.DrawAllFaces(gl);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -50,7 +51,7 @@ void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame,
   SetDepthState(gl);
   program.Use();
   SetPlace(program, frame);
-  scene.faces.ForEachBlock([&gl](GLsizei n) { gl.DrawArrays(GL_TRIANGLES, 0, n); });
+  scene.DrawAllFaces(gl);
 }
 
 }  // namespace parti::render

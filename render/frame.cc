@@ -9,15 +9,19 @@ Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const
       tile(part),
       range(DepthRangeFor(bounds, camera)),
       clip_from_world(ClipFromWorld(camera, range)),
-      eye(camera.eye) {}
+      eye(camera.eye),
+      pixels_per_m(view.PixelsPerMetre(camera.eye + view.forward() * range.near_m)) {}
 
-void ShadowLookup::Set(const Gl& gl, const GlProgram& program) const {
+void SetShadow(const Gl& gl, const GlProgram& program, const ShadowLookup& shadow,
+               const Frame& frame) {
+  constexpr double kTapsApart = 0.75;  // texels: the four filters overlap evenly
+  const bool soft = shadow.texel_m * frame.pixels_per_m > 0.7;
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.BindTexture(GL_TEXTURE_2D, shadow.texture);
   program.Set("shadow_map", 0);
-  program.Set("shadow_texel", texel);
-  program.Set("shadow_from_world", shadow_from_world);
-  program.Set("shadow_bias", bias_m);
+  program.Set("shadow_soft", soft ? static_cast<float>(kTapsApart * shadow.texel) : 0.0f);
+  program.Set("shadow_from_world", shadow.shadow_from_world);
+  program.Set("shadow_bias", shadow.bias_m);
 }
 
 }  // namespace parti::render

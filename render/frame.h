@@ -1,4 +1,5 @@
 // What all passes of one picture share: the camera as shaders want it, and the look.
+// Worked out on the CPU in double precision; passes only hand it on.
 #pragma once
 
 #include "render/bounds.h"
@@ -13,7 +14,9 @@ struct Tile {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// One tile of one picture. `look` must outlive it; the camera must be valid.
 struct Frame {
+  /// Depth range and matrix are chosen so that `bounds` fit.
   Frame(const Camera& camera, const Bounds& bounds, const Tile& tile, const Look& look);
 
   const Look& look;
@@ -23,6 +26,7 @@ struct Frame {
   DepthRange range;
   glm::mat4 clip_from_world;
   Vec3f eye;
+  double pixels_per_m;  ///< at the nearest point of the bounds
 
   /// Viewport such that the tile of the whole picture falls on the framebuffer.
   void SetViewport(const Gl& gl) const { gl.Viewport(-tile.x, -tile.y, size.x, size.y); }
@@ -33,10 +37,13 @@ struct ShadowLookup {
   GLuint texture = 0;
   glm::mat4 shadow_from_world{1};  ///< x, y, z in [0, 1] within the map
   float bias_m = 0;
-  float texel = 1;  ///< of the map's side
-
-  /// Binds the map to texture unit 0 and sets light.glsl's uniforms of the program in use.
-  void Set(const Gl& gl, const GlProgram& program) const;
+  float texel = 1;    ///< of the map's side
+  float texel_m = 1;  ///< in the world
 };
+
+/// Binds the map to texture unit 0 and sets light.glsl's uniforms of the program in use. Where its
+/// texels are smaller than the picture's pixels, one tap is soft enough.
+void SetShadow(const Gl& gl, const GlProgram& program, const ShadowLookup& shadow,
+               const Frame& frame);
 
 }  // namespace parti::render

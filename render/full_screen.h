@@ -1,4 +1,5 @@
 // One triangle that covers the whole viewport, for passes that colour every pixel.
+// Two triangles would shade the pixels along their common diagonal twice.
 #pragma once
 
 #include <utility>
@@ -19,6 +20,7 @@ class FullScreenTriangle {
     if (array_) gl_->DeleteVertexArrays(1, &array_);
   }
 
+  /// With the program in use.
   void Draw() const {
     gl_->BindVertexArray(array_);
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);

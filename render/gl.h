@@ -11,6 +11,7 @@
 #include "base/error.h"
 
 // clang-format off
+/// Calls X(UPPER, Name) for each function, as GL/glcorearb.h spells its type PFNGL<UPPER>PROC.
 #define PARTI_GL_FUNCTIONS(X) \
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) \
   X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer) \
@@ -44,7 +45,7 @@ namespace parti::render {
 /// The functions of one context, without their "gl" prefix: gl.DrawArrays(…).
 struct Gl {
 #define PARTI_GL_MEMBER(UPPER, Name) PFNGL##UPPER##PROC Name = nullptr;
-  PARTI_GL_FUNCTIONS(PARTI_GL_MEMBER)
+  PARTI_GL_FUNCTIONS(PARTI_GL_MEMBER)  ///< one pointer each, named as the function
 #undef PARTI_GL_MEMBER
   bool is_gles = false;
 };

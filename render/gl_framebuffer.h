@@ -1,10 +1,12 @@
-// A framebuffer object with what is attached to it.
+// A framebuffer object with what is attached to it: pictures, samples, ink coverage, shadow maps.
+// Windows bring their own; the renderer takes any by its name.
 #pragma once
 
 #include "render/gl.h"
 
 namespace parti::render {
 
+/// What to make; sizes in pixels, at least 1.
 struct FramebufferSpec {
   int width = 0;
   int height = 0;

@@ -1,4 +1,5 @@
 // A linked pair of shaders and its uniforms.
+// Vertex attributes have their places in the shader text, and so need no names here.
 #pragma once
 
 #include <string>

@@ -66,7 +66,7 @@ void Upload(const Faces& faces, VertexStream* stream) {
     const std::array<FaceVertex, 3> triangle = {FaceVertex{p[0], packed, color, id},
                                                 FaceVertex{p[1], packed, color, id},
                                                 FaceVertex{p[2], packed, color, id}};
-    stream->Append(triangle.data(), triangle.size());
+    stream->Append(triangle.data());
   }
 }
 
@@ -77,7 +77,7 @@ void Upload(const Lines& lines, VertexStream* stream) {
   for (size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
     line.a = lines.ends[i];
     line.b = lines.ends[i + 1];
-    if (IsDrawable(line.a) && IsDrawable(line.b)) stream->Append(&line, 1);
+    if (IsDrawable(line.a) && IsDrawable(line.b)) stream->Append(&line);
   }
 }
 
@@ -93,7 +93,7 @@ void Upload(const Ink& ink, VertexStream* stream) {
     const size_t next = i + 1 < n && drawable(i + 1) ? i + 1 : i;
     if (!drawable(i) || (next == i && i > 0 && drawable(i - 1))) continue;
     const InkPiece piece{ink.points[i], ink.points[next], {radius(i), radius(next)}};
-    stream->Append(&piece, 1);
+    stream->Append(&piece);
   }
 }
 
@@ -101,7 +101,8 @@ std::vector<InkGroup> Grouped(const Gl& gl, const std::vector<Ink>& all) {
   std::vector<InkGroup> groups;
   for (const Ink& ink : all) {
     if (groups.empty() || groups.back().color != ink.color) {
-      groups.push_back({ink.color, VertexStream(gl, sizeof(InkPiece), kInkLayout, 1)});
+      groups.push_back(
+          {ink.color, VertexStream(gl, Primitive::kQuads, sizeof(InkPiece), kInkLayout)});
     }
     Upload(ink, &groups.back().pieces);
   }
@@ -113,18 +114,27 @@ std::vector<InkGroup> Grouped(const Gl& gl, const std::vector<Ink>& all) {
 }  // namespace
 
 GpuScene::GpuScene(const Gl& gl, const Scene& scene)
-    : faces(gl, sizeof(FaceVertex), kFaceLayout, 0),
-      lines(gl, sizeof(LineInstance), kLineLayout, 1),
-      lines_on_top(gl, sizeof(LineInstance), kLineLayout, 1),
+    : faces(gl, Primitive::kTriangles, sizeof(FaceVertex), kFaceLayout),
+      closed_faces(gl, Primitive::kTriangles, sizeof(FaceVertex), kFaceLayout),
+      lines(gl, Primitive::kQuads, sizeof(LineInstance), kLineLayout),
+      lines_on_top(gl, Primitive::kQuads, sizeof(LineInstance), kLineLayout),
       ink(Grouped(gl, scene.ink)),
       ground(scene.ground),
       face_bounds(BoundsOf(scene, false)),
       bounds(BoundsOf(scene, true)) {
-  for (const Faces& group : scene.faces) Upload(group, &faces);
+  for (const Faces& group : scene.faces) Upload(group, group.closed ? &closed_faces : &faces);
   for (const Lines& group : scene.lines) Upload(group, group.on_top ? &lines_on_top : &lines);
   faces.Finish();
+  closed_faces.Finish();
   lines.Finish();
   lines_on_top.Finish();
+}
+
+void GpuScene::DrawAllFaces(const Gl& gl) const {
+  faces.Draw();
+  gl.Enable(GL_CULL_FACE);  // with GL's defaults: counter-clockwise is the front, backs are culled
+  closed_faces.Draw();
+  gl.Disable(GL_CULL_FACE);
 }
 
 }  // namespace parti::render

@@ -1,4 +1,5 @@
 // A Scene as the GPU holds it: uploaded once, drawn from as many views as wanted.
+// What can't be drawn stays behind here, so that passes need not check anything.
 #pragma once
 
 #include <vector>
@@ -22,10 +23,14 @@ struct GpuScene {
   GpuScene(const Gl& gl, const Scene& scene);
 
   VertexStream faces;
+  VertexStream closed_faces;
   VertexStream lines;
   VertexStream lines_on_top;
   std::vector<InkGroup> ink;
   bool ground;
+  /// Draws both kinds of faces, without the back sides of closed ones.
+  void DrawAllFaces(const Gl& gl) const;
+
   Bounds face_bounds;
   Bounds bounds;  ///< lines too
 };

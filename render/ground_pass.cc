@@ -1,3 +1,5 @@
+// The paper, and on the plane y = 0 the grid and the shadow: one triangle, all worked out per
+// pixel.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +42,7 @@ void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, cons
   program.Set("ground_middle", Vec3f(middle.x, 0, middle.z));
   program.Set("ground_fade", Vec2f(radius * look.ground_full, radius * look.ground_none));
   program.Set("with_ground", scene.ground ? 1.0f : 0.0f);
-  shadow.Set(gl, program);
+  SetShadow(gl, program, shadow, frame);
   all.Draw();
 }
 

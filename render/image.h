@@ -1,4 +1,5 @@
 // A picture in memory, and PNG files in and out.
+// Other formats are the exporters'.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// Ink: the coverage of a stroke first, then its colour through it, so that pieces join unseen.
 #include "render/passes.h"
 
 namespace parti::render {
@@ -13,7 +14,7 @@ void DrawCoverage(const Gl& gl, const GlProgram& program, const Frame& frame,
   gl.BlendEquation(GL_MAX);
   program.Use();
   program.Set("picture", Vec2f(frame.size));
-  pieces.ForEachBlock([&gl](GLsizei n) { gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, n); });
+  pieces.Draw();
 }
 
 void DrawOver(const Gl& gl, const GlProgram& program, const Frame& frame, const Vec4f& color,

@@ -1,14 +1,7 @@
+// Lines in the world, each four corners around a capsule of constant width on the picture.
 #include "render/passes.h"
 
 namespace parti::render {
-namespace {
-
-void DrawStream(const Gl& gl, const VertexStream& lines) {
-  lines.ForEachBlock([&gl](GLsizei n) { gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, n); });
-}
-
-}  // namespace
-
 void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene) {
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_FALSE);
@@ -24,11 +17,11 @@ void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const
   program.Set("pull", frame.look.line_pull);
   program.Set("strength", 1.0f);
   gl.DepthFunc(GL_LEQUAL);
-  DrawStream(gl, scene.lines);
-  DrawStream(gl, scene.lines_on_top);
+  scene.lines.Draw();
+  scene.lines_on_top.Draw();
   program.Set("strength", frame.look.hidden_strength);
   gl.DepthFunc(GL_GREATER);
-  DrawStream(gl, scene.lines_on_top);
+  scene.lines_on_top.Draw();
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);

@@ -1,4 +1,5 @@
 // Pictures without a window: OSMesa where there is one, else EGL surfaceless.
+// The facade of render for commands and tests; how a picture is made is Renderer's.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// Mesa's off-screen software context, looked for when the program runs: newer Mesa has none.
+// Mesa's off-screen software context, which needs no display, no device and no permission.
+// Looked for when the program runs, not when it is linked: newer Mesa has none.
 #pragma once
 
 #include <memory>

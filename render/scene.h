@@ -15,10 +15,12 @@ using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;
 
 /// A flat-shaded face set with one colour: corners three by three, counter-clockwise from outside.
+/// Open sets are seen from both sides.
 struct Faces {
   std::vector<Vec3f> corners;
   Vec3f color{0.93f, 0.92f, 0.90f};  ///< sRGB
   uint32_t id = 0;                   ///< for picking; 0: not pickable
+  bool closed = false;  ///< a watertight body: its back sides, never seen, are not drawn
 };
 
 /// Straight lines in the world, hidden by what lies in front of them unless `on_top`.
@@ -37,6 +39,7 @@ struct Ink {
   Vec4f color{0.05f, 0.1f, 0.45f, 1.0f};
 };
 
+/// Drawn in this order: ground, faces, lines, lines on top, ink.
 struct Scene {
   std::vector<Faces> faces;
   std::vector<Lines> lines;

@@ -1,4 +1,5 @@
-// The files of assets/shaders, built into the program.
+// The files of assets/shaders, built into the program, which so works from any folder.
+// Compiling them is GlProgram's.
 #pragma once
 
 #include <string_view>

@@ -28,7 +28,8 @@ ShadowLookup ShadowLookupFor(const Bounds& faces, const Look& look) {
   const Mat4 rows(row(right, side, middle.x), row(up, side, middle.y), row(down, deep, middle.z),
                   Vec4(0, 0, 0, 1));
   lookup.shadow_from_world = glm::mat4(glm::transpose(rows));
-  lookup.bias_m = static_cast<float>(side * lookup.texel * look.shadow_bias_texels);
+  lookup.texel_m = static_cast<float>(side * lookup.texel);
+  lookup.bias_m = lookup.texel_m * look.shadow_bias_texels;
   return lookup;
 }
 
@@ -50,7 +51,7 @@ Result<SunShadow> SunShadow::Create(const Gl& gl, const GlProgram& depth_program
   const glm::mat4 clip_from_shadow =
       glm::mat4(glm::mat4x4(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1));
   depth_program.Set("clip_from_world", clip_from_shadow * lookup.shadow_from_world);
-  scene.faces.ForEachBlock([&gl](GLsizei n) { gl.DrawArrays(GL_TRIANGLES, 0, n); });
+  scene.DrawAllFaces(gl);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
   if (const auto checked = CheckGl(gl, "drawing the shadow"); !checked) return Fail(checked);
   return SunShadow(std::move(*map), lookup);

@@ -1,4 +1,5 @@
-// The depth of a scene as the sun sees it, drawn once a scene.
+// The depth of a scene as the sun sees it, drawn once a scene since the sun stands still.
+// Where it falls is decided by the shaders (light.glsl).
 #pragma once
 
 #include "render/frame.h"

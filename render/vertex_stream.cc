@@ -4,15 +4,15 @@
 
 namespace parti::render {
 
-VertexStream::VertexStream(const Gl& gl, size_t stride,
-                           const std::vector<VertexAttribute>& attributes, GLuint divisor)
-    : gl_(&gl), stride_(stride), attributes_(&attributes), divisor_(divisor) {}
+VertexStream::VertexStream(const Gl& gl, Primitive primitive, size_t stride,
+                           const std::vector<VertexAttribute>& attributes)
+    : gl_(&gl), primitive_(primitive), stride_(stride), attributes_(&attributes) {}
 
 VertexStream::VertexStream(VertexStream&& other) noexcept
     : gl_(other.gl_),
+      primitive_(other.primitive_),
       stride_(other.stride_),
       attributes_(other.attributes_),
-      divisor_(other.divisor_),
       waiting_(std::move(other.waiting_)),
       blocks_(std::exchange(other.blocks_, {})) {}
 
@@ -20,7 +20,7 @@ VertexStream& VertexStream::operator=(VertexStream&& other) noexcept {
   std::swap(gl_, other.gl_);
   std::swap(stride_, other.stride_);
   std::swap(attributes_, other.attributes_);
-  std::swap(divisor_, other.divisor_);
+  std::swap(primitive_, other.primitive_);
   std::swap(waiting_, other.waiting_);
   std::swap(blocks_, other.blocks_);
   return *this;
@@ -33,15 +33,16 @@ VertexStream::~VertexStream() {
   }
 }
 
-void VertexStream::Append(const void* vertices, size_t count) {
+void VertexStream::Append(const void* vertices) {
   const auto* bytes = static_cast<const std::byte*>(vertices);
-  if (waiting_.size() + count * stride_ > kBlockBytes) Finish();
-  waiting_.insert(waiting_.end(), bytes, bytes + count * stride_);
+  const size_t size = (primitive_ == Primitive::kTriangles ? 3 : 1) * stride_;
+  if (waiting_.size() + size > kBlockBytes) Finish();
+  waiting_.insert(waiting_.end(), bytes, bytes + size);
 }
 
 void VertexStream::Finish() {
   if (waiting_.empty()) return;
-  Block block{0, 0, waiting_.size() / stride_};
+  Block block{0, 0, static_cast<GLsizei>(waiting_.size() / stride_)};
   gl_->GenVertexArrays(1, &block.array);
   gl_->BindVertexArray(block.array);
   gl_->GenBuffers(1, &block.buffer);
@@ -54,10 +55,21 @@ void VertexStream::Finish() {
     gl_->VertexAttribPointer(a.location, a.components, a.type, a.normalized ? GL_TRUE : GL_FALSE,
                              static_cast<GLsizei>(stride_),
                              static_cast<const std::byte*>(nullptr) + a.offset);
-    gl_->VertexAttribDivisor(a.location, divisor_);
+    gl_->VertexAttribDivisor(a.location, primitive_ == Primitive::kQuads ? 1 : 0);
   }
   blocks_.push_back(block);
   waiting_.clear();
+}
+
+void VertexStream::Draw() const {
+  for (const Block& block : blocks_) {
+    gl_->BindVertexArray(block.array);
+    if (primitive_ == Primitive::kTriangles) {
+      gl_->DrawArrays(GL_TRIANGLES, 0, block.count);
+    } else {
+      gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+    }
+  }
 }
 
 }  // namespace parti::render

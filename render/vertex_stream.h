@@ -1,4 +1,5 @@
 // Vertices on their way to the GPU, a bounded piece at a time.
+// Knows nothing of what they mean: layouts are their owners'.
 #pragma once
 
 #include <cstddef>
@@ -18,44 +19,42 @@ struct VertexAttribute {
   size_t offset;
 };
 
+/// What a stream's vertices make: triangles three by three, or each a quad of its own, an instance
+/// whose four corners shaders know by gl_VertexID.
+enum class Primitive { kTriangles, kQuads };
+
 /// Vertices of one layout in buffers of at most kBlockBytes each: memory beyond the GPU's own stays
 /// bounded however large the scene. Used and destroyed while its context is current.
 class VertexStream {
  public:
-  /// `divisor` 1: each vertex is an instance. `attributes` must outlive the stream.
-  VertexStream(const Gl& gl, size_t stride, const std::vector<VertexAttribute>& attributes,
-               GLuint divisor);
+  /// `attributes` must outlive the stream.
+  VertexStream(const Gl& gl, Primitive primitive, size_t stride,
+               const std::vector<VertexAttribute>& attributes);
   VertexStream(VertexStream&& other) noexcept;
   VertexStream& operator=(VertexStream&& other) noexcept;
   ~VertexStream();
 
-  /// Appends `count` vertices that belong together (a triangle's) and so stay in one buffer.
-  void Append(const void* vertices, size_t count);
+  /// Appends one primitive: three vertices of a triangle, one of a quad.
+  void Append(const void* vertices);
   /// Sends what is waiting; to be called once all is appended.
   void Finish();
 
   bool empty() const { return blocks_.empty() && waiting_.empty(); }
-  /// Calls draw(count of vertices) with each block's vertex array bound.
-  template <typename Draw>
-  void ForEachBlock(const Draw& draw) const {
-    for (const Block& block : blocks_) {
-      gl_->BindVertexArray(block.array);
-      draw(static_cast<GLsizei>(block.count));
-    }
-  }
+  /// With the program in use.
+  void Draw() const;
 
   static constexpr size_t kBlockBytes = size_t{4} << 20;
 
  private:
   struct Block {
     GLuint array, buffer;
-    size_t count;
+    GLsizei count;
   };
 
   const Gl* gl_;
+  Primitive primitive_;
   size_t stride_;
   const std::vector<VertexAttribute>* attributes_;
-  GLuint divisor_;
   std::vector<std::byte> waiting_;
   std::vector<Block> blocks_;
 };

@@ -5,6 +5,5 @@ layout(location = 0) out vec4 pixel;
 
 void main() {
   float alpha = color.a * texelFetch(coverage, ivec2(gl_FragCoord.xy), 0).r;
-  if (alpha <= 0.0) discard;
   pixel = vec4(LinearFromSrgb(color.rgb) * alpha, alpha);
 }

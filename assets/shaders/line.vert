@@ -33,7 +33,7 @@ void main() {
   float length_px = length(step_px);
   vec2 direction = length_px > 1e-4 ? step_px / length_px : vec2(1.0, 0.0);
   float half_width = 0.5 * max(width_and_dash.x, 1.0);
-  float margin = half_width + 1.0;
+  float margin = half_width + 0.5;
   bool at_end = (gl_VertexID & 1) == 1;
   float along = at_end ? length_px + margin : -margin;
   float across = (gl_VertexID & 2) == 2 ? margin : -margin;

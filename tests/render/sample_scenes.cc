@@ -46,7 +46,7 @@ void AddBox(Scene* scene, const Vec3f& low, const Vec3f& high, uint32_t id, cons
   for (int i = 0; i < 8; ++i) {
     p[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   }
-  Faces faces{{}, color, id};
+  Faces faces{{}, color, id, true};
   AddQuad(&faces, p[4], p[5], p[7], p[6]);  // south
   AddQuad(&faces, p[1], p[0], p[2], p[3]);  // north
   AddQuad(&faces, p[5], p[1], p[3], p[7]);  // east

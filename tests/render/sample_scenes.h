@@ -1,4 +1,5 @@
 // Small scenes made by hand, with every kind of thing that a picture can hold.
+// Scenes of shape trees are the tests of app.
 #pragma once
 
 #include "render/offscreen.h"

@@ -1,4 +1,5 @@
 // Golden pictures: tests/golden/NAME.png compared with what was drawn.
+// Any kind of picture; drawing them is their tests'.
 #pragma once
 
 #include <string>
@@ -14,12 +15,14 @@ struct GoldenTolerance {
   double fraction = 0.004;  ///< of the pixels may differ
 };
 
+/// How two pictures differ.
 struct PictureDifference {
   bool same_size = false;
   size_t pixels = 0;     ///< that differ
   render::Image marked;  ///< the first picture, pale, with what differs in red
 };
 
+/// Pictures of different sizes are not compared further.
 PictureDifference Compare(const render::Image& made, const render::Image& golden,
                           const GoldenTolerance& tolerance = {});
 
