@@ -40,7 +40,7 @@ need_packages() {
   fi
   as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2 ||
     give_up "apt-get update failed" "read its messages above; is the network there?"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq -o Dpkg::Use-Pty=0 --no-install-recommends \
     "${missing[@]}" >&2 ||
     give_up "apt-get could not install ${missing[*]}" "Parti is built on Debian 12 (bookworm)"
 }

@@ -4,20 +4,33 @@
 
 namespace parti {
 
+namespace {
+
+constexpr double kFarthest_m = 1e12;  // keeps squares and differences far from overflow
+
+bool IsNear(const Vec3& v) {
+  return IsFinite(v) && std::abs(v.x) <= kFarthest_m && std::abs(v.y) <= kFarthest_m &&
+         std::abs(v.z) <= kFarthest_m;
+}
+
+}  // namespace
+
 Result<void> Validate(const Camera& c) {
-  if (!IsFinite(c.eye) || !IsFinite(c.target) || !IsFinite(c.up)) {
-    return Fail(ErrorCode::kBadNumber, "the camera has a number that is not finite");
+  if (!IsNear(c.eye) || !IsNear(c.target) || !IsNear(c.up)) {
+    return Fail(ErrorCode::kBadNumber, "the camera has a number that is not finite or beyond 1e12");
   }
   const Vec3 forward = c.target - c.eye;
   if (glm::length(forward) < 1e-9) {
     return Fail(ErrorCode::kBadNumber, "the camera's eye lies on its target");
   }
-  if (glm::length(glm::cross(forward, c.up)) < 1e-9 * glm::length(forward)) {
-    return Fail(ErrorCode::kBadNumber, "the camera's up points along its view");
+  const double lengths = glm::length(forward) * glm::length(c.up);
+  if (!(glm::length(glm::cross(forward, c.up)) > 1e-9 * lengths)) {
+    return Fail(ErrorCode::kBadNumber, "the camera's up is zero or points along its view");
   }
   const double fov = c.vertical_fov.degrees();
-  if (!(fov > 0 && fov < 180)) {
-    return Fail(ErrorCode::kBadNumber, "the camera's field of view is outside 0 to 180 degrees");
+  if (!(fov >= 0.001 && fov <= 179.9)) {
+    return Fail(ErrorCode::kBadNumber,
+                "the camera's field of view is outside 0.001 to 179.9 degrees");
   }
   if (!(c.width_px >= 1 && c.height_px >= 1 && c.width_px <= 1e5 && c.height_px <= 1e5)) {
     return Fail(ErrorCode::kBadNumber, "the camera's picture is outside 1 to 100000 pixels");
@@ -32,12 +45,20 @@ View::View(const Camera& camera) : camera_(camera) {
   focal_px_ = camera.height_px * 0.5 / std::tan(camera.vertical_fov.radians() * 0.5);
 }
 
-std::optional<Vec2> View::Project(const Vec3& p) const {
+Vec3 View::FromEye(const Vec3& p) const {
   const Vec3 d = p - camera_.eye;
-  const double depth = glm::dot(d, forward_);
-  if (!(depth >= kNear)) return std::nullopt;
-  return Vec2(camera_.width_px * 0.5 + glm::dot(d, right_) / depth * focal_px_,
-              camera_.height_px * 0.5 - glm::dot(d, up_) / depth * focal_px_);
+  return Vec3(glm::dot(d, right_), glm::dot(d, up_), glm::dot(d, forward_));
+}
+
+Vec2 View::PixelOf(const Vec3& from_eye) const {
+  return Vec2(camera_.width_px * 0.5 + from_eye.x / from_eye.z * focal_px_,
+              camera_.height_px * 0.5 - from_eye.y / from_eye.z * focal_px_);
+}
+
+std::optional<Vec2> View::Project(const Vec3& p) const {
+  const Vec3 from_eye = FromEye(p);
+  if (!(from_eye.z >= kNear)) return std::nullopt;
+  return PixelOf(from_eye);
 }
 
 Ray View::RayThrough(const Vec2& pixel) const {
@@ -47,16 +68,16 @@ Ray View::RayThrough(const Vec2& pixel) const {
 }
 
 std::optional<Segment2> View::Project(const Segment3& segment) const {
-  Vec3 a = segment.a, b = segment.b;
-  const double da = Depth(a), db = Depth(b);
-  if (da < kNear && db < kNear) return std::nullopt;
-  // The cut end keeps a margin of one part in 10^9, so that rounding can't put it behind again.
-  const double cut = kNear * (1 + 1e-9);
-  if (da < kNear) a = a + (b - a) * ((cut - da) / (db - da));
-  if (db < kNear) b = b + (a - b) * ((cut - db) / (da - db));
-  const auto pa = Project(a), pb = Project(b);
-  if (!pa || !pb) return std::nullopt;
-  return Segment2{*pa, *pb};
+  Vec3 a = FromEye(segment.a), b = FromEye(segment.b);
+  if (!(a.z >= kNear || b.z >= kNear)) return std::nullopt;
+  // Cut where the depth is kNear; set it so, as rounding may leave it a little less.
+  const double t = (kNear - a.z) / (b.z - a.z);
+  Vec3& behind = a.z < b.z ? a : b;
+  if (behind.z < kNear) {
+    behind = a + (b - a) * t;
+    behind.z = kNear;
+  }
+  return Segment2{PixelOf(a), PixelOf(b)};
 }
 
 double View::PixelsPerMetre(const Vec3& p) const {

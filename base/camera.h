@@ -11,10 +11,10 @@ namespace parti {
 
 /// A right-handed look-at with a perspective (as glm::lookAtRH and glm::perspectiveRH).
 struct Camera {
-  Vec3 eye{0, 1.6, 10};                     ///< m
+  Vec3 eye{0, 1.6, 10};                     ///< m, as target: every coordinate within 1e12
   Vec3 target{0, 0, 0};                     ///< m, not equal to eye
   Vec3 up{0, 1, 0};                         ///< not parallel to target - eye
-  Angle vertical_fov = Angle::Degrees(45);  ///< whole angle, in (0, 180) degrees
+  Angle vertical_fov = Angle::Degrees(45);  ///< whole angle, in [0.001, 179.9] degrees
   double width_px = 1600;
   double height_px = 1000;
 
@@ -41,7 +41,7 @@ class View {
   /// The ray from the eye through a pixel (which may lie outside the picture).
   Ray RayThrough(const Vec2& pixel) const;
 
-  /// The part of a segment in front of the eye, projected; nothing if all of it is behind.
+  /// The part of a segment at least kNear in front of the eye, projected; nothing if there is none.
   std::optional<Segment2> Project(const Segment3& segment) const;
 
   /// Pixels per metre across the view direction at world point p; 0 behind the eye.
@@ -54,14 +54,19 @@ class View {
   static constexpr double kNear = 1e-3;  ///< m
 
  private:
+  /// p from the eye: to the right, up, and depth [m].
+  Vec3 FromEye(const Vec3& p) const;
+  /// The pixel of such a point; its depth is not 0.
+  Vec2 PixelOf(const Vec3& from_eye) const;
+
   Camera camera_;
   Vec3 forward_, right_, up_;
   double focal_px_;  ///< pixels per unit of slope
 };
 
 /// Where a ray meets a plane.
-/// errors  kGrazingView  the ray lies within 0.01 deg of the plane;  kBehindEye  it meets it
-/// behind.
+/// errors  kGrazingView  the ray lies within 0.01 deg of the plane;  kBehindEye  they meet behind
+///         the ray's origin, or at it.
 Result<Vec3> Intersect(const Ray& ray, const Plane& plane);
 
 }  // namespace parti

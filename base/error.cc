@@ -3,10 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace parti {
 namespace {
+
+constexpr size_t kMostShown = 120;  // bytes of a line that stand around the caret
+
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
 
 size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
@@ -23,6 +32,50 @@ size_t EditDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// The second and later bytes of a UTF-8 character, which take no room on the screen.
+bool Continues(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
+size_t CharactersIn(std::string_view text) {
+  return text.size() - static_cast<size_t>(std::count_if(text.begin(), text.end(), Continues));
+}
+
+// Whole lines where they are short; of a long one (a batch's JSON) only what is near the caret.
+struct Shown {
+  std::string before, marked, after;
+};
+
+// Control characters could move the cursor or change colours: they show as a question mark.
+std::string Printable(std::string_view text) {
+  std::string printable(text);
+  for (char& c : printable) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) && c != '\t') c = '?';
+  }
+  return printable;
+}
+
+Shown AroundCaret(const SourcePlace& place) {
+  const std::string_view line = place.line_text;
+  const size_t from = std::min(static_cast<size_t>(std::max(1, place.column)) - 1, line.size());
+  const size_t wanted = static_cast<size_t>(std::max(1, place.length));
+  const size_t to = from + std::min({wanted, line.size() - from, kMostShown});
+  size_t start = from > kMostShown / 2 && line.size() > kMostShown ? from - kMostShown / 2 : 0;
+  size_t end = std::max(to, std::min(line.size(), start + kMostShown));
+  while (start < from && Continues(line[start])) ++start;
+  while (end > to && end < line.size() && Continues(line[end])) --end;
+  return {(start > 0 ? "…" : "") + Printable(line.substr(start, from - start)),
+          Printable(line.substr(from, to - from)),
+          Printable(line.substr(to, end - to)) + (end < line.size() ? "…" : "")};
+}
+
+// What stands under `before`: a tab under a tab, so that the caret stands where the eye expects it.
+std::string Indent(std::string_view before) {
+  std::string indent;
+  for (const char c : before) {
+    if (!Continues(c)) indent += c == '\t' ? '\t' : ' ';
+  }
+  return indent;
+}
+
 }  // namespace
 
 std::string FormatError(const Error& error) {
@@ -32,15 +85,12 @@ std::string FormatError(const Error& error) {
     return text;
   }
   const SourcePlace& place = *error.place;
-  // A tab in the line stays a tab under it, so that the caret stands where the eye expects it.
-  std::string indent;
-  for (int i = 0; i + 1 < place.column && i < static_cast<int>(place.line_text.size()); ++i) {
-    indent += place.line_text[static_cast<size_t>(i)] == '\t' ? '\t' : ' ';
-  }
-  std::string text = fmt::format("{}:{}:{}: error: {}\n{:5} | {}\n      | {}^{:~<{}}",
+  const Shown shown = AroundCaret(place);
+  const size_t tildes = std::max<size_t>(1, CharactersIn(shown.marked)) - 1;
+  std::string text = fmt::format("{}:{}:{}: error: {}\n{:5} | {}{}{}\n      | {}^{:~<{}}",
                                  place.file.empty() ? "<text>" : place.file, place.line,
-                                 place.column, error.message, place.line, place.line_text, indent,
-                                 "", std::max(0, place.length - 1));
+                                 place.column, error.message, place.line, shown.before,
+                                 shown.marked, shown.after, Indent(shown.before), "", tildes);
   if (!error.hint.empty()) text += fmt::format("  hint: {}", error.hint);
   return text;
 }
@@ -64,12 +114,16 @@ SourcePlace PlaceIn(std::string_view text, std::string_view file, size_t offset,
 
 std::optional<std::string> DidYouMean(std::string_view word,
                                       const std::vector<std::string>& candidates) {
+  const std::string meant = Lower(word);
   std::optional<std::string> best;
   size_t best_distance = 0;
   for (const std::string& candidate : candidates) {
-    const size_t distance = EditDistance(word, candidate);
-    const size_t allowed = std::max<size_t>(1, std::max(word.size(), candidate.size()) / 3);
-    if (distance > allowed || (best && distance >= best_distance)) continue;
+    const size_t longer = std::max(word.size(), candidate.size());
+    const size_t shorter = std::min(word.size(), candidate.size());
+    const size_t allowed = std::max<size_t>(1, longer / 3);
+    if (longer - shorter > allowed) continue;
+    const size_t distance = EditDistance(meant, Lower(candidate));
+    if (distance > allowed || distance == longer || (best && distance >= best_distance)) continue;
     best = candidate;
     best_distance = distance;
   }

@@ -63,7 +63,8 @@ tl::unexpected<Error> Fail(const Result<T>& failed) {
   return tl::unexpected<Error>(failed.error());
 }
 
-/// The text shown to a person, without a final newline:
+/// The text shown to a person, without a final newline. Long lines are cut around the caret, which
+/// stands under the character (UTF-8, tabs) that is meant; control characters show as "?".
 ///   FILE:LINE:COLUMN: error: message        parti: error: message
 ///      12 |   the line                        hint: the remedy
 ///         |       ^~~  hint: the remedy
@@ -73,7 +74,8 @@ std::string FormatError(const Error& error);
 SourcePlace PlaceIn(std::string_view text, std::string_view file, size_t offset, size_t length = 1);
 
 /// The candidate nearest to `word` by edit distance, if near enough to be meant (at most a third of
-/// the longer word's length, at least 1); for "did you mean" hints.
+/// the longer word's length, at least 1, and something in common); capitals don't count. The first
+/// of equally near ones. For "did you mean" hints.
 std::optional<std::string> DidYouMean(std::string_view word,
                                       const std::vector<std::string>& candidates);
 

@@ -32,6 +32,7 @@ Stroke StrokeFrom(std::string_view text) {
     CHECK(in >> comma >> y && comma == ',', "StrokeFrom wants \"x,y x,y …\"");
     stroke.push_back({Vec2(x, y), 0.01 * static_cast<double>(stroke.size())});
   }
+  CHECK(in.eof(), "StrokeFrom wants numbers");
   return stroke;
 }
 

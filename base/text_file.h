@@ -10,12 +10,14 @@
 namespace parti {
 
 /// The bytes of a file; "-" reads standard input.
-/// errors  kFile  it does not exist, is a folder, or can't be read; the message names it.
+/// errors  kFile  it does not exist, is a folder, can't be read, or is larger than 256 MiB; the
+///         message names it.
 Result<std::string> ReadFile(const std::string& path);
 
 /// Writes through a temporary file in the same folder, so that a reader sees the old bytes or the
-/// new, never a part.
-/// errors  kFile  the folder does not exist or can't be written, or the disk is full.
+/// new, never a part. An old file's permissions stay, a link stays a link, and a device or a pipe
+/// is written into.
+/// errors  kFile  the folder does not exist, it or the file can't be written, or the disk is full.
 Result<void> WriteFile(const std::string& path, std::string_view bytes);
 
 }  // namespace parti
