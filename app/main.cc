@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "parti 0.1.0");
   Run run;
   AddSegmentCommand(app, &run);
+  AddSuggestCommand(app, &run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

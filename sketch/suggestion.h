@@ -1,4 +1,6 @@
 // From a sketch on one item to the operations that may be meant, best first (Jesus 2018, 6.4-6.6).
+// The stages have a file each; docs/inference.md tells their story. Inserting the chosen operation
+// into a tree is the app's.
 #pragma once
 
 #include <vector>
@@ -8,51 +10,58 @@
 #include "base/stroke.h"
 #include "grammar/action.h"
 #include "grammar/item.h"
-#include "sketch/segmentation.h"
+#include "sketch/configuration.h"
+#include "sketch/parameters.h"
 
 namespace parti::sketch {
 
-/// A line of the sketch in the world, and the screen line that it was lifted from.
-struct WorldLine {
-  Segment3 world;      ///< m
-  Segment2 drawn;      ///< px, as drawn, in the view it was drawn in
-  double fitness = 0;  ///< (6.13), (0, 1]
-};
-
-/// Lines accumulate here, stroke by stroke, and survive view changes (6.4.2).
-struct Configuration {
-  std::vector<WorldLine> lines;
-};
-
 struct Suggestion {
-  grammar::Action action;
-  double error = 0;          ///< (6.15) after descent, per line, relative to the item's size
-  double score = 0;          ///< what the list is ordered by, larger first
+  grammar::Action action;    ///< symbols filled in with defaults that a person may change
+  double error = 0;          ///< distance of drawn and projected line ends, per end [px], rms
+  double score = 0;          ///< log evidence [nat]: what the list is ordered by, larger first
   bool by_heuristic = true;  ///< false: found by sampling
-};
-
-struct SketchParameters {
-  SegmentationParameters segmentation;
-  int most_suggestions = 8;
 };
 
 /// Segments a stroke and lifts its lines: for each, the best of the candidate lines that the
 /// operations of the table make of `item` (Listing 6.1, 6.10-6.13).
-/// errors  kTooShort  a tap;  kNoFit  no candidate near any of its lines.
+/// errors  kTooShort  a tap;  kNoFit  no candidate near any of its lines;  kBadNumber  a sample or
+///         the camera;  kBehindEye  the item can't be seen.
 Result<std::vector<WorldLine>> LiftStroke(const Stroke& stroke, const grammar::Item& item,
                                           const Camera& camera,
                                           const SketchParameters& parameters = {});
 
 /// Operations that may be meant by a configuration, best first: the heuristics' (6.5), adjusted by
-/// descent (6.6); sampled ones where no heuristic fits.
-/// errors  kNoFit.
+/// descent (6.6); sampled ones for operations without a heuristic, and for all where no heuristic
+/// fits. An operation comes more than once only where its words differ (axis, selectors).
+/// errors  kNoFit  nothing in the table makes lines near these;  kTooShort  no line at all.
 Result<std::vector<Suggestion>> Suggest(const Configuration& configuration,
                                         const grammar::Item& item,
                                         const SketchParameters& parameters = {});
 
-/// Both of the above for a whole sketch in one view: what `parti suggest` answers.
+/// Both of the above for a whole sketch in one view: what `parti suggest` answers. Strokes in which
+/// no line is found (taps, scribbles) are passed over as long as one has a line.
+/// errors  those of LiftStroke and Suggest.
 Result<std::vector<Suggestion>> SuggestFromStrokes(const std::vector<Stroke>& strokes,
                                                    const grammar::Item& item, const Camera& camera,
                                                    const SketchParameters& parameters = {});
+
+/// What a sketch in one view reads as on one item.
+struct SketchReading {
+  Configuration configuration;          ///< the lines that could be lifted
+  int lost_lines = 0;                   ///< drawn lines near which nothing can be made
+  std::vector<Suggestion> suggestions;  ///< n >= 1, best first
+};
+
+/// As SuggestFromStrokes, for lines that are already told apart (DrawnLines), with all that is
+/// known: for choosing between items.
+/// errors  those of LiftStroke and Suggest.
+Result<SketchReading> ReadSketch(const std::vector<Segment2>& drawn, const grammar::Item& item,
+                                 const Camera& camera, const SketchParameters& parameters = {});
+
+/// The configuration with every line moved onto the edge of `action` that it stands for, so that
+/// all of them agree: what to show once a suggestion is preferred. Lines that no edge is near keep
+/// their place.
+Configuration Settled(const Configuration& configuration, const grammar::Item& item,
+                      const grammar::Action& action);
 
 }  // namespace parti::sketch

@@ -1,0 +1,45 @@
+#include <algorithm>
+
+#include "grammar/operation.h"
+#include "sketch/actions.h"
+#include "sketch/heuristic_geometry.h"
+#include "sketch/heuristics.h"
+#include "sketch/made_edges.h"
+
+namespace parti::sketch {
+namespace {
+
+bool Coincides(const Segment3& line, const Segment3& edge, double near_m) {
+  const auto near = [&](const Vec3& p, const Vec3& q) { return glm::distance(p, q) <= near_m; };
+  return (near(line.a, edge.a) && near(line.b, edge.b)) ||
+         (near(line.a, edge.b) && near(line.b, edge.a));
+}
+
+bool IsEdge(const WorldLine& line, const std::vector<Segment3>& edges, double near_m) {
+  const std::vector<LiftCandidate> readings = ReadingsOf(line);
+  return std::any_of(readings.begin(), readings.end(), [&](const LiftCandidate& reading) {
+    return std::any_of(edges.begin(), edges.end(), [&](const Segment3& edge) {
+      return Coincides(reading.world, edge, near_m);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<Hypothesis> CompHeuristic(const Configuration& configuration, const grammar::Item& item,
+                                      const HeuristicParameters& parameters) {
+  const grammar::Operation* comp = grammar::FindOperation("comp");
+  if (!comp || !(comp->takes & grammar::Types(item.type)) || configuration.lines.empty()) return {};
+  const std::vector<Segment3> edges = grammar::EdgesOf(item);
+  const double near_m = parameters.near_relative * DiagonalOf(item);
+  const bool all_are =
+      std::all_of(configuration.lines.begin(), configuration.lines.end(),
+                  [&](const WorldLine& line) { return IsEdge(line, edges, near_m); });
+  if (!all_are) return {};
+  using Kind = grammar::Selector::Kind;
+  Hypothesis alike{CompAction(*comp, {Kind::kAll})};
+  alike.price = parameters.alike_faces;
+  return {{CompAction(*comp, {Kind::kSide, Kind::kTop})}, std::move(alike)};
+}
+
+}  // namespace parti::sketch

@@ -1,0 +1,22 @@
+// An operation that may be meant, before and after its numbers are adjusted.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/math.h"
+#include "grammar/action.h"
+
+namespace parti::sketch {
+
+struct Hypothesis {
+  grammar::Action action;
+  /// Groups of dials (indices into grammar::Dials) that were found equal and stay equal (6.5.3).
+  std::vector<std::vector<size_t>> equal = {};
+  /// Set where parts were judged equal by eye: the stretch of the item that they divide, m.
+  std::optional<Segment3> spaced_along = {};
+  double price = 0;  ///< how much less likely it is than others before a line is drawn [nat]
+  bool by_heuristic = true;
+};
+
+}  // namespace parti::sketch

@@ -1,0 +1,144 @@
+#include "sketch/lift.h"
+
+#include <algorithm>
+#include <map>
+
+#include "sketch/score.h"
+
+namespace parti::sketch {
+namespace {
+
+struct Hit {
+  size_t sample;
+  size_t edge;  // within the sample
+  double squared_px;
+};
+
+struct Reading {
+  Segment3 world;
+  double squared_px;
+  const grammar::Operation* operation;
+};
+
+template <typename Point>
+Point Between(const Point& a, const Point& b, double t) {
+  return a + (b - a) * t;
+}
+template <typename Point>
+Segment<Point> Between(const Segment<Point>& a, const Segment<Point>& b, double t) {
+  return {Between(a.a, b.a, t), Between(a.b, b.b, t)};
+}
+
+std::vector<Hit> HitsWithin(double greatest_squared_px, const Segment2& drawn,
+                            const Candidates& candidates) {
+  std::vector<Hit> hits;
+  for (size_t s = 0; s < candidates.samples.size(); ++s) {
+    const Sample& sample = candidates.samples[s];
+    for (size_t e = 0; e < sample.count; ++e) {
+      const auto& screen = candidates.screen[sample.first + e];
+      if (!screen) continue;
+      const double squared = SquaredEndDistance(drawn, *screen);
+      if (squared <= greatest_squared_px) hits.push_back({s, e, squared});
+    }
+  }
+  const auto fitter = [](const Hit& a, const Hit& b) { return a.squared_px < b.squared_px; };
+  std::stable_sort(hits.begin(), hits.end(), fitter);
+  return hits;
+}
+
+// Share of the way from `here` to `there` at which the projection is nearest to `drawn`: the least
+// squares solution for the four coordinates, in the orientation that fits `here`.
+double BestShare(const Segment2& drawn, const Segment2& here, const Segment2& there) {
+  const auto squared = [](const Vec2& v) { return glm::dot(v, v); };
+  const bool flipped = squared(drawn.a - here.a) + squared(drawn.b - here.b) >
+                       squared(drawn.a - here.b) + squared(drawn.b - here.a);
+  const Vec2 to_a = (flipped ? drawn.b : drawn.a) - here.a;
+  const Vec2 to_b = (flipped ? drawn.a : drawn.b) - here.b;
+  const Vec2 move_a = there.a - here.a, move_b = there.b - here.b;
+  const double moved = squared(move_a) + squared(move_b);
+  if (moved <= 0) return 0;
+  return std::clamp((glm::dot(to_a, move_a) + glm::dot(to_b, move_b)) / moved, 0.0, 1.0);
+}
+
+// Tries the way towards one neighbour in the family; only samples of the same make-up are a family.
+void MoveTowards(size_t neighbour, const Hit& hit, const Segment2& drawn, const Candidates& c,
+                 Reading* best) {
+  const Sample& here = c.samples[hit.sample];
+  const Sample& there = c.samples[neighbour];
+  if (there.family != here.family || there.count != here.count) return;
+  const size_t i = here.first + hit.edge, j = there.first + hit.edge;
+  if (!c.screen[i] || !c.screen[j]) return;
+  const double t = BestShare(drawn, *c.screen[i], *c.screen[j]);
+  const double squared = SquaredEndDistance(drawn, Between(*c.screen[i], *c.screen[j], t));
+  if (squared >= best->squared_px) return;
+  best->squared_px = squared;
+  best->world = Between(c.edges[i], c.edges[j], t);
+}
+
+Reading Refine(const Hit& hit, const Segment2& drawn, const Candidates& c) {
+  const Sample& sample = c.samples[hit.sample];
+  Reading best{c.edges[sample.first + hit.edge], hit.squared_px, sample.action.operation};
+  if (hit.sample > 0) MoveTowards(hit.sample - 1, hit, drawn, c, &best);
+  if (hit.sample + 1 < c.samples.size()) MoveTowards(hit.sample + 1, hit, drawn, c, &best);
+  return best;
+}
+
+// Lines whose ends lie this near each other, of their length, are one reading.
+bool SameReading(const Reading& r, const Reading& s) {
+  constexpr double kSame = 0.04;
+  if (r.operation != s.operation) return false;
+  const double reach = kSame * glm::distance(r.world.a, r.world.b);
+  const auto near = [&](const Vec3& p, const Vec3& q) { return glm::distance(p, q) <= reach; };
+  return (near(r.world.a, s.world.a) && near(r.world.b, s.world.b)) ||
+         (near(r.world.a, s.world.b) && near(r.world.b, s.world.a));
+}
+
+std::vector<Reading> Choose(const std::vector<Hit>& hits, const Segment2& drawn,
+                            const Candidates& candidates, int most_per_operation) {
+  std::vector<Reading> chosen;
+  std::map<const grammar::Operation*, int> count;
+  for (const Hit& hit : hits) {
+    const grammar::Operation* operation = candidates.samples[hit.sample].action.operation;
+    if (count[operation] >= most_per_operation) continue;
+    const Reading reading = Refine(hit, drawn, candidates);
+    const auto same = [&](const Reading& other) { return SameReading(reading, other); };
+    const auto known = std::find_if(chosen.begin(), chosen.end(), same);
+    if (known == chosen.end()) {
+      chosen.push_back(reading);
+      ++count[operation];
+    } else if (reading.squared_px < known->squared_px) {
+      *known = reading;
+    }
+  }
+  const auto fitter = [](const Reading& a, const Reading& b) {
+    return a.squared_px < b.squared_px;
+  };
+  std::stable_sort(chosen.begin(), chosen.end(), fitter);
+  return chosen;
+}
+
+}  // namespace
+
+Result<WorldLine> Lift(const Segment2& drawn, const Candidates& candidates, const Camera& camera,
+                       const LiftParameters& parameters) {
+  const double length_px = glm::distance(drawn.a, drawn.b);
+  const double radius = parameters.radius_px + parameters.radius_relative * length_px;
+  const double greatest = -std::log(parameters.least_fitness) * radius * radius;
+  const std::vector<Hit> hits = HitsWithin(greatest, drawn, candidates);
+  if (hits.empty()) {
+    return Fail(ErrorCode::kNoFit, "no operation on this shape makes an edge near the drawn line",
+                "start or end the line at a corner or an edge of the shape");
+  }
+  WorldLine line;
+  line.drawn = drawn;
+  line.camera = camera;
+  for (const Reading& r : Choose(hits, drawn, candidates, parameters.most_per_operation)) {
+    const double fitness = std::exp(-r.squared_px / (radius * radius));  // (6.13)
+    line.alternatives.push_back({r.world, fitness, r.operation});
+  }
+  line.world = line.alternatives.front().world;
+  line.fitness = line.alternatives.front().fitness;
+  return line;
+}
+
+}  // namespace parti::sketch

@@ -1,0 +1,74 @@
+#include "sketch/made_edges.h"
+
+#include <algorithm>
+
+#include "grammar/operation.h"
+
+namespace parti::sketch {
+namespace {
+
+// "The same place", of the item's diagonal: above rounding, far below what a pen can tell.
+constexpr double kSamePlace = 1e-6;
+
+double DistanceToSegment(const Vec3& p, const Segment3& s) {
+  const Vec3 along = s.b - s.a;
+  const double squared = glm::dot(along, along);
+  const double t = squared > 0 ? std::clamp(glm::dot(p - s.a, along) / squared, 0.0, 1.0) : 0.0;
+  return glm::distance(p, s.a + along * t);
+}
+
+bool SameSegment(const Segment3& s, const Segment3& t, double tolerance) {
+  const auto near = [&](const Vec3& p, const Vec3& q) { return glm::distance(p, q) <= tolerance; };
+  return (near(s.a, t.a) && near(s.b, t.b)) || (near(s.a, t.b) && near(s.b, t.a));
+}
+
+void KeepOneOfEach(double tolerance, std::vector<Segment3>* edges) {
+  std::vector<Segment3> kept;
+  for (const Segment3& edge : *edges) {
+    const auto same = [&](const Segment3& other) { return SameSegment(edge, other, tolerance); };
+    if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(edge);
+  }
+  *edges = std::move(kept);
+}
+
+}  // namespace
+
+double DiagonalOf(const grammar::Item& item) { return glm::length(item.scope.size); }
+
+Result<std::vector<Segment3>> AllEdges(const grammar::Action& action, const grammar::Item& item) {
+  const auto products = grammar::Apply(action, item);
+  if (!products) return Fail(products);
+  std::vector<Segment3> edges;
+  for (const grammar::Product& product : *products) {
+    const std::vector<Segment3> some = grammar::EdgesOf(product.item);
+    edges.insert(edges.end(), some.begin(), some.end());
+  }
+  return edges;
+}
+
+MadeEdges::MadeEdges(const grammar::Item& item)
+    : item_(&item),
+      item_edges_(grammar::EdgesOf(item)),
+      diagonal_m_(DiagonalOf(item)),
+      tolerance_m_(kSamePlace * diagonal_m_) {}
+
+bool MadeEdges::LiesOnItem(const Segment3& edge) const {
+  return std::any_of(item_edges_.begin(), item_edges_.end(), [&](const Segment3& known) {
+    return DistanceToSegment(edge.a, known) <= tolerance_m_ &&
+           DistanceToSegment(edge.b, known) <= tolerance_m_;
+  });
+}
+
+Result<std::vector<Segment3>> MadeEdges::Of(const grammar::Action& action, bool distinct) const {
+  auto all = AllEdges(action, *item_);
+  if (!all) return Fail(all);
+  std::vector<Segment3> made;
+  for (const Segment3& edge : *all) {
+    if (!LiesOnItem(edge)) made.push_back(edge);
+  }
+  if (made.empty()) made = std::move(*all);
+  if (distinct) KeepOneOfEach(tolerance_m_, &made);
+  return made;
+}
+
+}  // namespace parti::sketch

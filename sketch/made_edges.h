@@ -1,0 +1,41 @@
+// The edges of an operation's products: what a drawn line can stand for.
+#pragma once
+
+#include <vector>
+
+#include "base/error.h"
+#include "base/math.h"
+#include "grammar/action.h"
+#include "grammar/item.h"
+
+namespace parti::sketch {
+
+/// Edges of all products, in the order of creation; those shared by two products come twice.
+/// errors  those of grammar::Apply.
+Result<std::vector<Segment3>> AllEdges(const grammar::Action& action, const grammar::Item& item);
+
+/// What an operation is recognised by: the edges of its products that do not lie on edges of the
+/// item; all of them where it makes no others (comp). Repeated edges come once with `distinct`.
+class MadeEdges {
+ public:
+  explicit MadeEdges(const grammar::Item& item);
+
+  /// errors  those of grammar::Apply.
+  Result<std::vector<Segment3>> Of(const grammar::Action& action, bool distinct = false) const;
+
+  double diagonal_m() const { return diagonal_m_; }
+  const std::vector<Segment3>& item_edges() const { return item_edges_; }
+
+ private:
+  bool LiesOnItem(const Segment3& edge) const;
+
+  const grammar::Item* item_;
+  std::vector<Segment3> item_edges_;
+  double diagonal_m_ = 0;
+  double tolerance_m_ = 0;
+};
+
+/// Diagonal of the item's scope [m].
+double DiagonalOf(const grammar::Item& item);
+
+}  // namespace parti::sketch
