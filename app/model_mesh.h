@@ -1,0 +1,53 @@
+// A model as exporters take it: the visible shapes as triangles, without any grammar.
+// Formats are the exporters'; pictures take a render::Scene instead.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/math.h"
+#include "grammar/shape_tree.h"
+
+namespace parti::app {
+
+/// One visible shape.
+struct ModelPart {
+  std::string symbol;      ///< "" where it has none
+  uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given
+  bool closed = false;     ///< a watertight body; else seen from both sides
+  std::vector<Vec3>
+      corners;  ///< triangles, three by three, counter-clockwise from outside; m, y up
+};
+
+/// Parts in the depth-first order of their trees.
+struct ModelMesh {
+  std::vector<ModelPart> parts;
+};
+
+/// The leaves of the trees of all lots.
+ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees);
+ModelMesh ModelMeshFrom(const grammar::ShapeTree& tree);
+
+/// A part with shared corners. Corners nearer than kWeld_m are one: faces of a body that work out a
+/// corner by different sums then meet exactly.
+struct WeldedPart {
+  std::vector<Vec3> points;         ///< in the order in which triangles name them first
+  std::vector<uint32_t> triangles;  ///< three indices each; those without area are left out
+  std::vector<Vec3> normals;        ///< one a triangle, unit length
+};
+
+inline constexpr double kWeld_m = 1e-5;
+
+/// Left out: triangles with corners that are not finite, or without area. Linear.
+WeldedPart Weld(const std::vector<Vec3>& corners);
+
+/// Symbols in order of their first part, each with its parts' numbers.
+struct SymbolGroup {
+  std::string name;  ///< "Unnamed" for shapes without symbol; always UTF-8
+  std::vector<size_t> parts;
+};
+std::vector<SymbolGroup> GroupBySymbol(const ModelMesh& mesh);
+
+}  // namespace parti::app
