@@ -11,8 +11,16 @@ constexpr std::array<std::string_view, 13> kSelectorNames = {
 
 }  // namespace
 
-bool Successor::operator==(const Successor&) const = default;
-bool Action::operator==(const Action&) const = default;
+// Written out: clang 16 crashes on defaulted comparisons of types that contain each other.
+bool Successor::operator==(const Successor& other) const {
+  return key == other.key && actions == other.actions && symbol == other.symbol &&
+         repeat == other.repeat;
+}
+
+bool Action::operator==(const Action& other) const {
+  return operation == other.operation && arguments == other.arguments &&
+         successors == other.successors && symbol == other.symbol;
+}
 
 std::string_view NameOf(Axis axis) {
   constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
