@@ -34,10 +34,9 @@ need_packages() {
       sed -n 's/^installed //p' | sort -u))
   [ ${#missing[@]} -gt 0 ] || return 0
   say "installing Debian packages: ${missing[*]}"
-  if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
-    give_up "installing packages needs root, and there is no sudo" \
+  as_root true ||
+    give_up "installing packages needs root, and sudo is not there or refuses" \
       "as root: apt-get install --no-install-recommends ${missing[*]}"
-  fi
   as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2 ||
     give_up "apt-get update failed" "read its messages above; is the network there?"
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq -o Dpkg::Use-Pty=0 --no-install-recommends \

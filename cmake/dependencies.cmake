@@ -2,6 +2,7 @@
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)  # dev is slow on purpose
 find_package(CGAL REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(PNG REQUIRED)

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""What the documents say is done: every block of README.md, ARCHITECTURE.md and docs/*.md is tried.
+
+Usage: docs.py PARTI [FILE…]     PARTI: the built program. Exit status 1 when a block does not hold.
+
+  ```sh       run by bash in an empty folder per document, `parti` on the PATH, assets/ beside it,
+              each block after the ones above it; it must exit 0. `# exits 1` on its first line: 1.
+  ```text     directly after it: what it printed; … stands for anything
+  ```cga      selection-action trees (docs/language.md): parti must read them
+  ```pen      a drawing: parti must replay it
+  ```json     one JSON value, or one a line
+  ```console  for reading only (it installs, builds, or needs a device), but programs of this
+              repository that it names must exist
+Blocks without a language are pictures. Links to files must lead somewhere.
+"""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BLOCK = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
+SCRIPT = re.compile(r"(?:^|[\s;&|])\./([\w./-]+)")
+SECONDS = 300
+
+
+class Document:
+    """One file, tried in one temporary folder."""
+
+    def __init__(self, path, parti, folder):
+        self.path, self.parti, self.folder = path, parti, pathlib.Path(folder)
+        self.printed = None
+        (self.folder / "assets").symlink_to(ROOT / "assets")
+        self.environment = {**os.environ, "PATH": f"{parti.parent}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
+
+    def run(self, arguments):
+        return subprocess.run(arguments, cwd=self.folder, env=self.environment, text=True, timeout=SECONDS,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                              check=False)
+
+    def try_sh(self, text):
+        wanted = 1 if text.startswith("# exits 1\n") else 0
+        done = self.run(["bash", "-euo", "pipefail", "-c", text])
+        self.printed = done.stdout
+        return "" if done.returncode == wanted else f"exit status {done.returncode}\n{done.stdout}"
+
+    def try_text(self, text):
+        if self.printed is None:
+            return "no sh block stands before this output"
+        pattern = ".*".join(re.escape(part) for part in text.strip().split("…"))
+        holds = re.fullmatch(pattern, self.printed.strip(), re.DOTALL)
+        return "" if holds else f"it printed\n{self.printed}"
+
+    def try_cga(self, text):
+        (self.folder / "block.cga").write_text(text, encoding="utf-8")
+        done = self.run([str(self.parti), "export", "block.cga", "read.cga"])
+        return "" if done.returncode == 0 else f"exit status {done.returncode}\n{done.stdout}"
+
+    def try_pen(self, text):
+        (self.folder / "block.pen").write_text(text, encoding="utf-8")
+        done = self.run([str(self.parti), "replay", "block.pen", "--json"])
+        return "" if done.returncode == 0 else f"exit status {done.returncode}\n{done.stdout}"
+
+    def try_json(self, text):
+        try:
+            json.loads(text)
+        except json.JSONDecodeError:
+            for line in text.strip().splitlines():
+                json.loads(line)
+        return ""
+
+    def try_console(self, text):
+        missing = [name for name in SCRIPT.findall(text) if not os.access(ROOT / name, os.X_OK)]
+        return f"no such program: {missing}" if missing else ""
+
+    def try_block(self, language, text):
+        try:
+            attempt = getattr(self, f"try_{language}", None)
+            return attempt(text) if attempt else f"a block of an unknown language: {language}"
+        except (ValueError, subprocess.TimeoutExpired) as error:
+            return str(error)
+
+    def problems(self):
+        """(line, what) for each block and link that does not hold."""
+        text = self.path.read_text(encoding="utf-8")
+        end = 0
+        for block in BLOCK.finditer(text):
+            language, code = block.groups()
+            if text[end:block.start()].strip():
+                self.printed = None
+            problem = self.try_block(language, code) if language else ""
+            if problem:
+                yield text.count("\n", 0, block.start()) + 1, problem.strip()
+            end = block.end()
+        for link in LINK.finditer(BLOCK.sub("", text)):
+            if "://" not in link.group(1) and not (self.path.parent / link.group(1)).exists():
+                yield 1, f"a link to nowhere: {link.group(1)}"
+
+
+def try_file(path, parti):
+    with tempfile.TemporaryDirectory() as folder:
+        return list(Document(path, parti, folder).problems())
+
+
+def main():
+    parti = pathlib.Path(sys.argv[1]).resolve()
+    files = [pathlib.Path(name) for name in sys.argv[2:]]
+    files = files or [ROOT / "README.md", ROOT / "ARCHITECTURE.md", *sorted((ROOT / "docs").glob("*.md"))]
+    failed = 0
+    for path in files:
+        for line, problem in try_file(path, parti):
+            failed += 1
+            print(f"{os.path.relpath(path, ROOT)}:{line}: {problem}")
+    print(f"docs: {len(files)} documents, {failed} problems")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

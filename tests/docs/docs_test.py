@@ -1,0 +1,55 @@
+"""Documents that don't tell the truth are found out."""
+import pathlib
+import stat
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import docs  # noqa: E402
+
+# Stands for the program: reads only files that hold "good".
+PARTI = '#!/bin/sh\n[ "$1" = say ] && { echo "$2"; exit 0; }\ngrep -q good "$2"\n'
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.parti = pathlib.Path(self.folder.name, "parti")
+        self.parti.write_text(PARTI, encoding="utf-8")
+        self.parti.chmod(self.parti.stat().st_mode | stat.S_IXUSR)
+
+    def lines(self, text):
+        path = pathlib.Path(self.folder.name, "a.md")
+        path.write_text(text, encoding="utf-8")
+        return [line for line, _ in docs.try_file(path, self.parti)]
+
+    def test_a_shell_line_that_fails_is_found(self):
+        self.assertEqual(self.lines("# A\n```sh\nfalse\n```\n"), [2])
+        self.assertEqual(self.lines("```sh\nparti say hello\nls assets >list\n```\n```sh\ntest -s list\n```\n"), [])
+        self.assertEqual(self.lines("```sh\nfalse | true\n```\n"), [1])
+        self.assertEqual(self.lines("```sh\n# exits 1\nfalse\n```\n```sh\n# exits 1\ntrue\n```\n"), [5])
+
+    def test_output_that_differs_is_found(self):
+        block = "```sh\nparti say 'hello 12 houses'\n```\n"
+        self.assertEqual(self.lines(block + "prints\n```text\nhello … houses\n```\n"), [5])
+        self.assertEqual(self.lines(block + "```text\nhello … houses\n```\n"), [])
+        self.assertEqual(self.lines(block + "```text\nhello … trees\n```\n"), [4])
+
+    def test_rules_and_drawings_that_are_not_read_are_found(self):
+        self.assertEqual(self.lines("```cga\ngood\n```\n```cga\nbad\n```\n"), [4])
+        self.assertEqual(self.lines("```pen\nbad\n```\n```pen\ngood\n```\n"), [1])
+
+    def test_text_that_is_not_json_is_found(self):
+        self.assertEqual(self.lines('```json\n{"a": 1}\n{"b": 2}\n```\n```json\n{a}\n```\n'), [5])
+
+    def test_programs_links_and_languages_that_do_not_exist_are_found(self):
+        self.assertEqual(self.lines("```console\n./run --build\n./no-such-script\n```\n"), [1])
+        self.assertEqual(self.lines("```cobol\nADD 1\n```\n"), [1])
+        self.assertEqual(self.lines("see [this](nowhere.md) and [that](https://example.org) and [a](a.md)\n"), [1])
+        self.assertEqual(self.lines("```\na picture\n```\n"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
