@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
   Run run;
   AddSegmentCommand(app, &run);
   AddSuggestCommand(app, &run);
+  AddDevicesCommand(app, &run);
+  AddRecordCommand(app, &run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -38,6 +38,7 @@ struct DeviceEvent {
   bool operator==(const DeviceEvent&) const = default;
 };
 
+/// Which end or kind of pen: tablets tell them apart.
 enum class PenTool : uint8_t { kPen, kEraser, kBrush, kPencil, kAirbrush, kMouse };
 
 /// One pen report. The axes are the state after it, whatever it was sent for.
@@ -57,6 +58,7 @@ struct PenEvent {
   bool operator==(const PenEvent&) const = default;
 };
 
+/// One report about one finger.
 struct TouchEvent {
   enum class Kind : uint8_t { kDown, kMotion, kUp, kCancel };
   Kind kind = Kind::kMotion;
@@ -68,6 +70,7 @@ struct TouchEvent {
   bool operator==(const TouchEvent&) const = default;
 };
 
+/// A key went down or up.
 struct KeyEvent {
   int device = 0;
   double t_s = 0;

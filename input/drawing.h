@@ -14,12 +14,14 @@
 
 namespace parti::input {
 
+/// What the application was told, and when.
 struct DrawingCommand {
   int after_stroke = 0;    ///< strokes completed before it (see PenContacts)
   std::string text;        ///< one line, not blank; for app/ to read
   SourcePlace place = {};  ///< of `text`; only where it was read from a file
 };
 
+/// A session: what devices sent, and what was chosen in between.
 struct Drawing {
   std::vector<InputEvent> events;        ///< times from 0, the start, in seconds
   std::vector<DrawingCommand> commands;  ///< after_stroke never decreases
@@ -28,6 +30,7 @@ struct Drawing {
 /// Equal events, and commands with equal texts after equal strokes, wherever they stand in a file.
 bool operator==(const Drawing& a, const Drawing& b);
 
+/// What could be read of a drawing, and why not more.
 struct DrawingReading {
   Drawing drawing;              ///< everything before the damage
   std::optional<Error> damage;  ///< kDamagedFile or, for a wrong header, kBadText, with its place

@@ -1,4 +1,5 @@
 // The words that a drawing has for the enumerations of base/event.h, shared by writer and reader.
+// The order of each list is that of the enumeration.
 #pragma once
 
 #include <array>
@@ -29,6 +30,7 @@ inline constexpr std::array<Feature, 6> kFeatures{{{"pen", &DeviceFacts::has_pen
                                                    {"distance", &DeviceFacts::has_distance},
                                                    {"eraser", &DeviceFacts::has_eraser}}};
 
+/// The word of a value.
 template <size_t n, typename Enum>
 constexpr std::string_view NameOf(const std::array<std::string_view, n>& names, Enum value) {
   return names[static_cast<size_t>(value)];

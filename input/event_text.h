@@ -1,4 +1,5 @@
 // One input event as one line of a drawing, and back, without loss (docs/drawings.md).
+// Not responsible for whether an event may stand where it does (drawing_rules.h).
 #pragma once
 
 #include <string>

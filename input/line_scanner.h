@@ -41,6 +41,7 @@ class LineScanner {
   /// Everything that is left, from the next non-blank on.
   Word Rest();
 
+  /// A failure whose place is `word`.
   tl::unexpected<Error> FailAt(const Word& word, std::string message, std::string hint = {}) const;
 
  private:

@@ -30,10 +30,11 @@ struct ContactChange {
 /// kDown are hovering. Each device has one pen at a time. Cost: linear in the pens that are down.
 class PenContacts {
  public:
+  /// The next event of the stream.
   ContactChange Feed(const InputEvent& event);
 
+  /// Whether a device's pen is down; and all whose pens are, in the order in which they came down.
   bool IsDown(int device) const;
-  /// The devices whose pens are down, in the order in which they came down.
   const std::vector<int>& down() const { return down_; }
 
   bool operator==(const PenContacts&) const = default;

@@ -1,3 +1,4 @@
+// The reader of drawings: see drawing.h.
 #include <fmt/format.h>
 
 #include <algorithm>

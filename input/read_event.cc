@@ -1,3 +1,4 @@
+// The reader of one event: see event_text.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

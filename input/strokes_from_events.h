@@ -10,6 +10,7 @@
 
 namespace parti::input {
 
+/// One report of a pen in contact.
 struct PenSample {
   Vec2 position_mm{0, 0};               ///< as in PenEvent
   double t_s = 0;                       ///< s, of the source's clock
@@ -19,6 +20,7 @@ struct PenSample {
   bool operator==(const PenSample&) const = default;
 };
 
+/// A line drawn without lifting the pen.
 struct PenStroke {
   int device = 0;
   PenTool tool = PenTool::kPen;  ///< kEraser: the stroke rubs out
@@ -36,7 +38,8 @@ struct PenStroke {
 /// finite position and time are skipped; a time before its predecessor's is raised to it.
 /// Properties  (1) feeding a stream in any pieces gives the same strokes;
 ///             (2) the samples of all strokes are the stream's kDown and in-contact kMotion events;
-///             (3) as many strokes finish as PenContacts reports ended, Finish() included.
+///             (3) as many strokes finish as PenContacts reports begun, if each has a finite
+///             sample.
 class StrokesFromEvents {
  public:
   /// The stroke that this event ended, if any.

@@ -1,3 +1,4 @@
+// The writer of one event: see event_text.h.
 #include <fmt/format.h>
 
 #include "input/event_names.h"

@@ -1,0 +1,102 @@
+// `parti devices`: the pens and touch screens that libinput sees.
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "app/commands/commands.h"
+#include "base/json.h"
+#include "input/libinput_source.h"
+
+namespace parti::app {
+namespace {
+
+struct Options {
+  std::vector<std::string> nodes;
+  bool json = false;
+};
+
+struct Found {
+  std::string node;
+  DeviceFacts facts;
+};
+
+Result<std::vector<Found>> Find(const std::vector<std::string>& nodes) {
+  auto source =
+      nodes.empty() ? input::LibinputSource::OpenSeat() : input::LibinputSource::OpenDevices(nodes);
+  if (!source) return Fail(source);
+  const auto events = source->Dispatch();
+  if (!events) return Fail(events);
+  std::vector<Found> found;
+  for (const InputEvent& event : *events) {
+    if (const auto* device = std::get_if<DeviceEvent>(&event)) {
+      found.push_back({source->node(device->device), device->facts});
+    }
+  }
+  if (found.empty()) return tl::unexpected(source->WhyNothing());
+  return found;
+}
+
+Json JsonOf(const Found& found) {
+  const DeviceFacts& facts = found.facts;
+  Json json{{"node", found.node},
+            {"name", facts.name},
+            {"vendor", fmt::format("{:04x}", facts.vendor)},
+            {"product", fmt::format("{:04x}", facts.product)},
+            {"size_mm", nullptr},
+            {"pen", facts.has_pen},
+            {"touch", facts.has_touch},
+            {"pressure", facts.has_pressure},
+            {"tilt", facts.has_tilt},
+            {"distance", facts.has_distance},
+            {"eraser", facts.has_eraser}};
+  if (facts.size_mm) json["size_mm"] = {facts.size_mm->x, facts.size_mm->y};
+  return json;
+}
+
+std::string LineOf(const Found& found) {
+  const DeviceFacts& facts = found.facts;
+  std::string line =
+      fmt::format("{}  {} ({:04x}:{:04x}):", found.node, facts.name, facts.vendor, facts.product);
+  if (facts.has_pen) line += " pen";
+  if (facts.has_touch) line += " touch";
+  if (facts.has_pressure) line += ", pressure";
+  if (facts.has_tilt) line += ", tilt";
+  if (facts.has_distance) line += ", distance";
+  if (facts.has_eraser) line += ", eraser";
+  if (facts.size_mm)
+    line += fmt::format(", {:.0f} x {:.0f} mm", facts.size_mm->x, facts.size_mm->y);
+  return line;
+}
+
+int List(const Options& options) {
+  const auto found = Find(options.nodes);
+  if (!found) return Report(found.error());
+  Json devices = Json::array();
+  for (const Found& device : *found) {
+    if (options.json) {
+      devices.push_back(JsonOf(device));
+    } else {
+      fmt::print("{}\n", LineOf(device));
+    }
+  }
+  // A device's name may hold any bytes; what is not UTF-8 is shown as such, not thrown about.
+  if (options.json) {
+    const Json answer{{"devices", devices}};
+    fmt::print("{}\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddDevicesCommand(CLI::App& app, Run* run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("devices", "List pen tablets and touch screens");
+  command->footer("Example: parti devices --json");
+  command->add_option("--device", options->nodes, "Only these nodes, as /dev/input/event5");
+  command->add_flag("--json", options->json, "One JSON object instead of a line for each");
+  command->callback([options, run] { *run = [options] { return List(*options); }; });
+}
+
+}  // namespace parti::app

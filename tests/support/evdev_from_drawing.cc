@@ -1,0 +1,172 @@
+#include "tests/support/evdev_from_drawing.h"
+
+#include <linux/input-event-codes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace parti::tests {
+namespace {
+
+constexpr int kUnitsPerMm = 200;
+constexpr int kMaxPressure = 8191;
+// libinput 1.22 takes the tip for down from 5 % of the range on and for up from 1 % downwards; it
+// gives the latter as pressure 0, so that no stroke begins with less than 0.04.
+constexpr int kDownPressure = kMaxPressure * 5 / 100 + 1;
+constexpr int kZeroPressure = kMaxPressure / 100;
+constexpr int kMaxDistance = 63;
+constexpr int kTiltUnits = 100;          // per degree
+constexpr int kTiltResolution = 5730;    // the same per radian
+constexpr Vec2 kUsualSize_mm{344, 194};  // of a 16-inch display tablet
+
+int ToolCode(PenTool tool) {
+  switch (tool) {
+    case PenTool::kPen:
+      return BTN_TOOL_PEN;
+    case PenTool::kEraser:
+      return BTN_TOOL_RUBBER;
+    case PenTool::kBrush:
+      return BTN_TOOL_BRUSH;
+    case PenTool::kPencil:
+      return BTN_TOOL_PENCIL;
+    case PenTool::kAirbrush:
+      return BTN_TOOL_AIRBRUSH;
+    case PenTool::kMouse:
+      return BTN_TOOL_MOUSE;
+  }
+  return BTN_TOOL_PEN;
+}
+
+EvdevRecording Describe(const DeviceFacts& facts) {
+  EvdevRecording tablet;
+  tablet.name = facts.name.empty() ? "Drawn Pen" : facts.name;
+  tablet.vendor = static_cast<uint16_t>(facts.vendor);
+  tablet.product = static_cast<uint16_t>(facts.product);
+  tablet.version = 0x110;
+  tablet.properties = {1 << INPUT_PROP_DIRECT};
+  tablet.codes[EV_SYN] = {};
+  for (const int code : {BTN_TOOL_PEN, BTN_TOOL_RUBBER, BTN_TOOL_BRUSH, BTN_TOOL_PENCIL,
+                         BTN_TOOL_AIRBRUSH, BTN_TOUCH, BTN_STYLUS, BTN_STYLUS2}) {
+    tablet.SetCode(EV_KEY, code);
+  }
+  const Vec2 size_mm = facts.size_mm.value_or(kUsualSize_mm);
+  const auto units = [](double mm) { return static_cast<int32_t>(std::lround(mm * kUnitsPerMm)); };
+  tablet.axes[ABS_X] = {.maximum = units(size_mm.x), .resolution = kUnitsPerMm};
+  tablet.axes[ABS_Y] = {.maximum = units(size_mm.y), .resolution = kUnitsPerMm};
+  tablet.axes[ABS_PRESSURE] = {.maximum = kMaxPressure};
+  if (facts.has_distance) tablet.axes[ABS_DISTANCE] = {.maximum = kMaxDistance};
+  if (facts.has_tilt) {
+    for (const int code : {ABS_TILT_X, ABS_TILT_Y}) {
+      tablet.axes[code] = {
+          .minimum = -90 * kTiltUnits, .maximum = 90 * kTiltUnits, .resolution = kTiltResolution};
+    }
+  }
+  for (const auto& [code, axis] : tablet.axes) tablet.SetCode(EV_ABS, code);
+  return tablet;
+}
+
+/// Writes the events of one pen, keeping the kernel's state of every key and axis.
+class Driver {
+ public:
+  explicit Driver(EvdevRecording* tablet) : tablet_(tablet) {}
+
+  void Take(const PenEvent& event) {
+    t_us_ = std::llround(event.t_s * 1e6);
+    if (event.kind == PenEvent::Kind::kProximityOut) return Leave();
+    SetAxes(event);
+    if (tool_ != event.tool) Enter(event.tool);
+    if (event.kind == PenEvent::Kind::kDown) touching_ = true;
+    if (event.kind == PenEvent::Kind::kUp) touching_ = false;
+    if (event.kind == PenEvent::Kind::kButton) {
+      Set(EV_KEY, static_cast<int>(event.button), event.pressed ? 1 : 0);
+    }
+    SetContact(event);
+    Report();
+  }
+
+  void Leave() {
+    if (!tool_) return;
+    Set(EV_KEY, BTN_TOUCH, 0);
+    Set(EV_ABS, ABS_PRESSURE, 0);
+    Set(EV_KEY, ToolCode(*tool_), 0);
+    Report();
+    tool_.reset();
+    touching_ = false;
+  }
+
+ private:
+  void Enter(PenTool tool) {
+    Leave();
+    tool_ = tool;
+    Set(EV_KEY, ToolCode(tool), 1);
+  }
+
+  void SetAxes(const PenEvent& event) {
+    SetAxis(ABS_X, event.position_mm.x * kUnitsPerMm);
+    SetAxis(ABS_Y, event.position_mm.y * kUnitsPerMm);
+    if (event.tilt_deg) {
+      SetAxis(ABS_TILT_X, event.tilt_deg->x * kTiltUnits);
+      SetAxis(ABS_TILT_Y, event.tilt_deg->y * kTiltUnits);
+    }
+  }
+
+  void SetContact(const PenEvent& event) {
+    Set(EV_KEY, BTN_TOUCH, touching_ ? 1 : 0);
+    const double least = event.kind == PenEvent::Kind::kDown ? kDownPressure : kZeroPressure + 1;
+    const double pressure = event.pressure.value_or(0.5);
+    const double pressed = kZeroPressure + pressure * (kMaxPressure - kZeroPressure);
+    SetAxis(ABS_PRESSURE, touching_ ? std::max(least, pressed) : 0);
+    if (event.distance) SetAxis(ABS_DISTANCE, touching_ ? 0 : *event.distance * kMaxDistance);
+  }
+
+  void SetAxis(int code, double value) {
+    const auto axis = tablet_->axes.find(code);
+    if (axis == tablet_->axes.end()) return;
+    const auto [minimum, maximum] = std::pair(axis->second.minimum, axis->second.maximum);
+    Set(EV_ABS, code, std::clamp(static_cast<int32_t>(std::lround(value)), minimum, maximum));
+  }
+
+  void Set(uint16_t type, int code, int32_t value) {
+    if (std::exchange(state_[{type, code}], value) == value) return;
+    tablet_->events.push_back({t_us_, type, static_cast<uint16_t>(code), value});
+    changed_ = true;
+  }
+
+  void Report() {
+    if (!std::exchange(changed_, false)) return;
+    tablet_->events.push_back({t_us_, EV_SYN, SYN_REPORT, 0});
+  }
+
+  EvdevRecording* tablet_;
+  std::map<std::pair<int, int>, int32_t> state_;
+  std::optional<PenTool> tool_;
+  bool touching_ = false;
+  bool changed_ = false;
+  int64_t t_us_ = 0;
+};
+
+}  // namespace
+
+Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing) {
+  const auto is_pen = [](const InputEvent& event) {
+    const auto* device = std::get_if<DeviceEvent>(&event);
+    return device && device->kind == DeviceEvent::Kind::kAdded && device->facts.has_pen;
+  };
+  const auto first = std::find_if(drawing.events.begin(), drawing.events.end(), is_pen);
+  if (first == drawing.events.end()) {
+    return Fail(ErrorCode::kNothingMade, "the drawing has no pen");
+  }
+  const auto& pen = std::get<DeviceEvent>(*first);
+  EvdevRecording tablet = Describe(pen.facts);
+  Driver driver(&tablet);
+  for (const InputEvent& event : drawing.events) {
+    const auto* report = std::get_if<PenEvent>(&event);
+    if (report && report->device == pen.device) driver.Take(*report);
+  }
+  driver.Leave();
+  return tablet;
+}
+
+}  // namespace parti::tests
