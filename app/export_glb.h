@@ -8,6 +8,7 @@
 
 namespace parti::app {
 
+/// .glb or .gltf, the latter with its buffer inside.
 enum class GltfForm { kBinary, kText };
 
 /// The bytes of a file, the same for the same model. Metres, y up, front faces counter-clockwise,

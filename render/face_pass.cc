@@ -27,6 +27,8 @@ void SetPlace(const GlProgram& program, const Frame& frame) {
   program.Set("clip_from_world", frame.clip_from_world);
   program.Set("eye", frame.eye);
   program.Set("back_push", frame.look.back_push);
+  program.Set("layer_push", frame.look.layer_push);
+  program.Set("depth_unit", frame.depth_unit);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const
       range(DepthRangeFor(bounds, camera)),
       clip_from_world(ClipFromWorld(camera, range)),
       eye(camera.eye),
+      depth_unit(static_cast<float>(2 * range.far_m * range.near_m / (range.far_m - range.near_m))),
       pixels_per_m(view.PixelsPerMetre(camera.eye + view.forward() * range.near_m)) {}
 
 void SetShadow(const Gl& gl, const GlProgram& program, const ShadowLookup& shadow,

@@ -26,6 +26,9 @@ struct Frame {
   DepthRange range;
   glm::mat4 clip_from_world;
   Vec3f eye;
+  /// How far clip z moves when a point moves away by its own distance to the eye; the same
+  /// everywhere, and x, y and w don't move at all.
+  float depth_unit;
   double pixels_per_m;  ///< at the nearest point of the bounds
 
   /// Viewport such that the tile of the whole picture falls on the framebuffer.

@@ -13,7 +13,9 @@ constexpr const char* kGlesHead =
 
 Result<GLuint> Compile(const Gl& gl, GLenum kind, const std::string& file) {
   std::string text = gl.is_gles ? kGlesHead : kCoreHead;
-  text.append(ShaderText("light.glsl")).append("#line 1\n").append(ShaderText(file));
+  text += ShaderText("light.glsl");
+  if (file == "face.vert" || file == "id.vert") text += ShaderText("place.glsl");
+  text.append("#line 1\n").append(ShaderText(file));
   const char* source = text.c_str();
   const GLuint shader = gl.CreateShader(kind);
   gl.ShaderSource(shader, 1, &source, nullptr);

@@ -13,9 +13,9 @@ namespace parti::render {
 /// Used and destroyed while its context is current.
 class GlProgram {
  public:
-  /// assets/shaders/NAME.vert and NAME.frag, each behind light.glsl and the version line of the
-  /// context: one source for GL 3.3 and GLES 3.0.
-  /// errors  kGraphics  with the compiler's words.
+  /// assets/shaders/NAME.vert and NAME.frag, behind light.glsl, the faces' also place.glsl, and the
+  /// version line of the context: one source for GL 3.3 and GLES 3.0. errors  kGraphics  with the
+  /// compiler's words.
   static Result<GlProgram> Create(const Gl& gl, const std::string& name);
   GlProgram(GlProgram&& other) noexcept;
   GlProgram& operator=(GlProgram&& other) noexcept;

@@ -34,9 +34,10 @@ struct Look {
   float line_pull = 2e-4f;         ///< lines are drawn nearer by this part of their distance,
   float face_slope_offset = 1.5f;  ///< and faces farther by this many pixels' worth of slope
   float face_offset_units = 2;     ///< and this many of the least depth steps
-  float back_push = 3e-4f;         ///< faces seen from behind yield by this part of the distance
-  float hidden_strength = 0.22f;   ///< of on_top lines where they are hidden
-  int samples = 4;                 ///< a pixel
+  float back_push = 3e-4f;         ///< faces seen from behind yield by this part of the distance,
+  float layer_push = 1e-5f;       ///< and faces in one plane by this times their place in 16 layers
+  float hidden_strength = 0.22f;  ///< of on_top lines where they are hidden
+  int samples = 4;                ///< a pixel
 };
 
 }  // namespace parti::render

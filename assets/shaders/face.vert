@@ -1,18 +1,13 @@
 // Flat-shaded faces: light that is the same all over a triangle is worked out here.
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 color;  // sRGB
 
-uniform mat4 clip_from_world;
 uniform mat4 shadow_from_world;
-uniform vec3 eye;
 uniform vec3 to_sun;
 uniform vec3 to_fill;
 uniform vec3 sun_light;
 uniform vec3 fill_light;
 uniform vec3 sky_light;
 uniform vec3 ground_light;
-uniform float back_push;         // of the distance to the eye
 uniform float shadow_bias;       // m, along the normal
 uniform vec2 base_shade;         // darkening at the foot: amount, height in m
 uniform float base_height;       // y of the foot, m
@@ -23,13 +18,8 @@ out vec3 shadow_at;
 out float foot;
 
 void main() {
-  vec3 away = position - eye;
-  bool back = dot(normal.xyz, away) > 0.0;
-  vec3 n = normalize(back ? -normal.xyz : normal.xyz);
-  // A face seen from behind yields to one that lies in the same place and is seen from the front:
-  // moving it along the ray from the eye changes its depth and no pixel.
-  vec3 p = back ? position + away * back_push : position;
-  gl_Position = clip_from_world * vec4(p, 1.0);
+  gl_Position = Place();
+  vec3 n = normalize(SeenFromBehind() ? -normal.xyz : normal.xyz);
 
   vec3 albedo = LinearFromSrgb(color.rgb);
   float slope = dot(n, to_sun);

@@ -6,10 +6,10 @@ layout(location = 2) in vec4 color;  // sRGB, alpha
 layout(location = 3) in vec2 width_and_dash;  // px
 
 uniform mat4 clip_from_world;
-uniform vec3 eye;
 uniform vec2 picture;  // px
 uniform float near;    // m
 uniform float pull;    // towards the eye, of the distance to it
+uniform float depth_unit;  // how far clip z moves when a point moves by its distance to the eye
 
 flat out vec4 ink;     // linear
 flat out vec3 shape;   // length, half width, dash; px
@@ -17,8 +17,9 @@ out vec2 along_across; // px
 
 void main() {
   // Drawn a little nearer than they are, so that a face never hides its own edge.
-  vec4 a = clip_from_world * vec4(mix(end_a, eye, pull), 1.0);
-  vec4 b = clip_from_world * vec4(mix(end_b, eye, pull), 1.0);
+  vec4 nearer = vec4(0.0, 0.0, pull * depth_unit, 0.0);
+  vec4 a = clip_from_world * vec4(end_a, 1.0) - nearer;
+  vec4 b = clip_from_world * vec4(end_b, 1.0) - nearer;
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   ink = vec4(0.0);
   shape = vec3(0.0);

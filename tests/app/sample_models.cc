@@ -5,6 +5,7 @@
 #include <map>
 
 #include "grammar/operation.h"
+#include "grammar/selection_action.h"
 
 namespace parti::app::tests {
 namespace {
@@ -60,6 +61,32 @@ ShapeTree Courtyard() {
   add(Extruded(rect(17.1, 4.4, 3.3, 3.1), 4.1), "Shed");
   add(Flat({{{17, 0, 12}, {21, 0, 12}, {19, 0, 16}}}), "Sign");
   return tree;
+}
+
+ShapeTree TownHouse() {
+  constexpr std::string_view kTree = R"(tree house {
+    .Lot --> offset(-2) { inside: Footprint | border: Garden }
+    .Footprint --> extrude(11.2) Mass
+    .Mass --> comp(f) { side: Facade | top: Roof }
+    .Facade --> split(y) { 3.8: Ground | { ~3.2: Floor }* | 0.6: Parapet }
+    .Floor --> split(x) { ~1: Wall | { ~2.6: Bay }* | ~1: Wall }
+    .Bay --> split(x) { ~1: Wall | 1.3: Column | ~1: Wall }
+    .Column --> split(y) { 0.7: Wall | ~1: Window | 0.5: Wall }
+    .Window --> extrude(-0.2) Glass
+    .Ground --> split(x) { ~1: Wall | 1.6: DoorColumn | ~1: Wall | ~2: Shop | ~1: Wall }
+    .Shop --> split(y) { 0.5: Wall | ~1: Window | 0.6: Wall }
+    .DoorColumn --> split(y) { 2.5: Door | ~1: Wall }
+    .Door --> extrude(0.15) Leaf
+    .Roof --> offset(-1.8) { inside: Attic | border: Terrace }
+    .Attic --> extrude(2.8) Storey
+  })";
+  const auto trees = grammar::ParseTrees(kTree);
+  EXPECT_TRUE(trees) << FormatError(trees.error()[0]);
+  const Vec3 up(0, 1, 0);
+  const Item lot = *grammar::PlanarFrom({{{0, 0, 0}, {20, 0, 0}, {20, 0, 15}, {0, 0, 15}}}, &up);
+  const auto derived = grammar::Derive(*trees, ShapeTree(lot));
+  EXPECT_TRUE(derived) << FormatError(derived.error());
+  return derived->tree;
 }
 
 double SignedVolume(const std::vector<Vec3>& corners) {

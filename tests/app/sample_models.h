@@ -11,6 +11,10 @@ namespace parti::app::tests {
 /// (awkward numbers), with a colour; two boxes of one symbol that touch; a planar sign.
 grammar::ShapeTree Courtyard();
 
+/// A town house derived from a selection-action tree: ground floor, floors with windows, a terrace
+/// and a set-back top storey.
+grammar::ShapeTree TownHouse();
+
 /// The enclosed volume; positive where the triangles look outward.
 double SignedVolume(const std::vector<Vec3>& corners);
 

@@ -189,6 +189,26 @@ TEST_P(Offscreen, CoplanarFacesOfNeighboursDoNotFight) {
   }
 }
 
+TEST_P(Offscreen, CoplanarFacesOnTheSameSideDoNotFight) {
+  // A sign on a lot: other triangles in the same plane. The later id wins, whatever the view.
+  Scene scene;
+  scene.ground = false;
+  scene.faces.push_back({{{-9, 0, 7}, {8, 0, 9}, {1, 0, -9}}, {0, 0.6f, 0}, 1});
+  scene.faces.push_back({{{-1, 0, 0.3f}, {1.1f, 0, 1}, {0.2f, 0, -1}}, {0.8f, 0, 0}, 2});
+  Camera camera = Front(300, 200);
+  for (const Vec3& eye : {Vec3(4, 3, 15), Vec3(-20, 5, 60), Vec3(0, 40, 1), Vec3(-9, 2, -9)}) {
+    camera.eye = eye;
+    const auto both = renderer_->DrawIds(scene, camera);
+    ASSERT_TRUE(both);
+    Scene alone = scene;
+    alone.faces.erase(alone.faces.begin());
+    // Drawn alone it has another depth range, but the same pixels.
+    const auto sign = renderer_->DrawIds(alone, camera);
+    ASSERT_TRUE(sign);
+    for (size_t i = 0; i < sign->size(); ++i) ASSERT_EQ((*both)[i] == 2, (*sign)[i] == 2);
+  }
+}
+
 TEST_P(Offscreen, IdsAreExactAndNearest) {
   Scene scene;
   const uint32_t far_id = 0xfedcba98, near_id = 0x01020304;

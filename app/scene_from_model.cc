@@ -1,0 +1,99 @@
+#include "app/scene_from_model.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "app/crease_lines.h"
+
+namespace parti::app {
+namespace {
+
+using grammar::Item;
+using grammar::ItemType;
+using render::Scene;
+using render::Vec3f;
+
+/// FNV-1a, the same on every machine as std::hash need not be.
+uint32_t HashOf(std::string_view text) {
+  uint32_t hash = 2166136261u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return hash ^ hash >> 15;
+}
+
+/// Shapes of one symbol look alike and a little unlike others: warmer or cooler, lighter or darker.
+Vec3f Tinted(const Vec3f& color, std::string_view symbol, float tint) {
+  const uint32_t hash = HashOf(symbol);
+  const auto part = [hash](int shift) {
+    return static_cast<float>(hash >> shift & 255) / 127.5f - 1;
+  };
+  const float warm = tint * part(0), light = 0.6f * tint * part(8);
+  return color + Vec3f(0.6f * warm + light, light, light - warm);
+}
+
+Vec3f ColorOf(const Item& item, std::string_view symbol, const DrawingStyle& style) {
+  if (const uint32_t rgb = item.color_rgb) {
+    return Vec3f(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255) / 255.0f;
+  }
+  if (item.type == ItemType::kVolume) return Tinted(style.body, symbol, style.tint);
+  const bool faces_up = item.scope.z.y > 0.7;
+  return Tinted(faces_up ? style.ground : style.wall, symbol, style.tint);
+}
+
+void AddSegments(const std::vector<Segment3>& segments, render::Lines* lines) {
+  for (const Segment3& segment : segments) {
+    lines->ends.emplace_back(segment.a);
+    lines->ends.emplace_back(segment.b);
+  }
+}
+
+}  // namespace
+
+void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
+              const DrawingStyle& style) {
+  std::vector<Segment3> edges;
+  std::vector<Vec3> corners;
+  for (const grammar::ShapeIndex i : tree.Leaves()) {
+    const grammar::Shape& shape = tree[i];
+    corners.clear();
+    grammar::TrianglesOf(shape.item, &corners);
+    render::Faces faces{{corners.begin(), corners.end()},
+                        ColorOf(shape.item, tree.Name(shape.symbol), style),
+                        first_id + i,
+                        shape.item.type == ItemType::kVolume};
+    scene->faces.push_back(std::move(faces));
+    const std::vector<Segment3> own = grammar::EdgesOf(shape.item);
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  render::Lines creases{{}, style.crease, style.crease_px};
+  AddSegments(WithoutOverlaps(edges), &creases);
+  if (!creases.ends.empty()) scene->lines.push_back(std::move(creases));
+}
+
+void AddStroke(const Stroke& stroke, Scene* scene, double scale, const DrawingStyle& style) {
+  render::Ink ink{{}, {}, style.ink};
+  for (const StrokeSample& sample : stroke) {
+    const double pressure = std::clamp(sample.pressure.value_or(0.5), 0.0, 1.0);
+    ink.points.emplace_back(sample.position * scale);
+    ink.widths_px.push_back(static_cast<float>(style.ink_px * scale * (0.5 + pressure)));
+  }
+  if (!ink.points.empty()) scene->ink.push_back(std::move(ink));
+}
+
+void AddLiftedLines(std::span<const Segment3> lines, Scene* scene, const DrawingStyle& style) {
+  render::Lines lifted{{}, style.lifted, style.lifted_px, 0, true};
+  AddSegments({lines.begin(), lines.end()}, &lifted);
+  if (!lifted.ends.empty()) scene->lines.push_back(std::move(lifted));
+}
+
+void AddSuggestion(std::span<const Item> items, Scene* scene, const DrawingStyle& style) {
+  std::vector<Segment3> edges;
+  for (const Item& item : items) {
+    const std::vector<Segment3> own = grammar::EdgesOf(item);
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  render::Lines wires{{}, style.suggestion, style.suggestion_px, style.suggestion_dash_px, true};
+  AddSegments(WithoutOverlaps(edges), &wires);
+  if (!wires.ends.empty()) scene->lines.push_back(std::move(wires));
+}
+
+}  // namespace parti::app

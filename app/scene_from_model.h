@@ -1,0 +1,55 @@
+// Shape trees, sketches and suggestions as pictures show them: a render::Scene with quiet colours.
+// Which tree, sketch or suggestion is shown is the caller's; how it is drawn is render's.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "app/auto_view.h"
+#include "base/stroke.h"
+#include "grammar/shape_tree.h"
+#include "render/scene.h"
+
+namespace parti::app {
+
+/// Colours and widths of what Parti draws. Colours are sRGB.
+struct DrawingStyle {
+  render::Vec3f body{0.945f, 0.935f, 0.910f};    ///< volumes without a colour: card board
+  render::Vec3f wall{0.930f, 0.925f, 0.905f};    ///< upright planar shapes
+  render::Vec3f ground{0.880f, 0.890f, 0.845f};  ///< planar shapes that face up: lots, terraces
+  float tint = 0.045f;                           ///< how far symbols' own tints stray from these
+
+  render::Vec4f crease{0.16f, 0.15f, 0.16f, 1};
+  float crease_px = 1.4f;
+
+  render::Vec4f ink{0.07f, 0.12f, 0.40f, 1};
+  float ink_px = 3.0f;  ///< at half pressure, and where a device has none
+
+  render::Vec4f lifted{0.10f, 0.38f, 0.80f, 1};
+  float lifted_px = 2.2f;
+
+  render::Vec4f suggestion{0.86f, 0.33f, 0.10f, 1};
+  float suggestion_px = 2.0f;
+  float suggestion_dash_px = 7;
+};
+
+/// Adds the leaves of a tree: faces with `first_id` + ShapeIndex as their ids, and each crease
+/// once, wherever edges of neighbours lie on each other. Give the second of several lots a first_id
+/// beyond the first's shapes. first_id >= 1.
+void AddModel(const grammar::ShapeTree& tree, render::Scene* scene, uint32_t first_id = 1,
+              const DrawingStyle& style = {});
+
+/// Adds a stroke where it was drawn; `scale` is the picture's pixels per pixel of the stroke's
+/// view. Width follows pressure from half to one and a half of ink_px.
+void AddStroke(const Stroke& stroke, render::Scene* scene, double scale = 1,
+               const DrawingStyle& style = {});
+
+/// Adds the lines that a sketch means in the world, faint where the model hides them.
+void AddLiftedLines(std::span<const Segment3> lines, render::Scene* scene,
+                    const DrawingStyle& style = {});
+
+/// Adds what an operation would make, as a dashed wire frame.
+void AddSuggestion(std::span<const grammar::Item> items, render::Scene* scene,
+                   const DrawingStyle& style = {});
+
+}  // namespace parti::app
