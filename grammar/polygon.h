@@ -21,6 +21,7 @@ struct Polygon {
   bool operator==(const Polygon&) const = default;
 };
 
+/// A bounding rectangle along the axes.
 struct Box2 {
   Vec2 low{0, 0};
   Vec2 high{0, 0};
