@@ -11,7 +11,8 @@ Usage: docs.py PARTI [FILE…]     PARTI: the built program. Exit status 1 when 
   ```json     one JSON value, or one a line
   ```console  for reading only (it installs, builds, or needs a device), but programs of this
               repository that it names must exist
-Blocks without a language are pictures. Links to files must lead somewhere.
+Blocks without a language are pictures. Links must lead to files, `folder/path` to what is there (NAME
+stands for any), and `folder::Name` to a word in a header of that folder.
 """
 import json
 import os
@@ -25,7 +26,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 SCRIPT = re.compile(r"(?:^|[\s;&|])\./([\w./-]+)")
+FOLDERS = "app|base|grammar|input|render|sketch"
+PATH = re.compile(rf"`((?:{FOLDERS}|assets|cmake|docs|tests|\.ci)/[\w./-]*)")
+NAME = re.compile(rf"`({FOLDERS})::([\w:]+)")
 SECONDS = 300
+
+
+def blank(block):
+    """As many empty lines as the block has."""
+    return "\n" * block.group().count("\n")
 
 
 class Document:
@@ -57,7 +66,7 @@ class Document:
 
     def try_cga(self, text):
         (self.folder / "block.cga").write_text(text, encoding="utf-8")
-        done = self.run([str(self.parti), "export", "block.cga", "read.cga"])
+        done = self.run([str(self.parti), "export", "block.cga", "read.cga", "--lot", "rect(20,14)"])
         return "" if done.returncode == 0 else f"exit status {done.returncode}\n{done.stdout}"
 
     def try_pen(self, text):
@@ -96,9 +105,31 @@ class Document:
             if problem:
                 yield text.count("\n", 0, block.start()) + 1, problem.strip()
             end = block.end()
-        for link in LINK.finditer(BLOCK.sub("", text)):
-            if "://" not in link.group(1) and not (self.path.parent / link.group(1)).exists():
-                yield 1, f"a link to nowhere: {link.group(1)}"
+        for number, line in enumerate(BLOCK.sub(blank, text).splitlines(), 1):
+            yield from ((number, problem) for problem in self.line_problems(line))
+
+    def line_problems(self, line):
+        """What one line of prose names and is not there."""
+        for link in LINK.findall(line):
+            if "://" not in link and not (self.path.parent / link).exists():
+                yield f"a link to nowhere: {link}"
+        for name in PATH.findall(line):
+            if not next(ROOT.glob(name.rstrip("/").replace("NAME", "*")), None):
+                yield f"no such file: {name}"
+        for folder, name in NAME.findall(line):
+            words = re.compile(r".*".join(rf"\b{part}\b" for part in name.split("::")), re.DOTALL)
+            if not any(words.search(header.read_text(encoding="utf-8")) for header in (ROOT / folder).rglob("*.h")):
+                yield f"no such name: {folder}::{name}"
+
+
+def uncited_errata():
+    """Errata that the source cites by number, and docs/errata.md does not have."""
+    listed = set(re.findall(r"^(\d+a?)\.", (ROOT / "docs/errata.md").read_text(encoding="utf-8"), re.MULTILINE))
+    for source in sorted(path for folder in FOLDERS.split("|") for path in (ROOT / folder).rglob("*.[hc]*")):
+        for cited in re.findall(r"\berrata ((?:\d+a?(?:, | and | to )?)+)", source.read_text(encoding="utf-8")):
+            for number in re.findall(r"\d+a?", cited):
+                if number not in listed:
+                    yield f"{source.relative_to(ROOT)} cites errata {number}, which docs/errata.md does not have"
 
 
 def try_file(path, parti):
@@ -115,6 +146,9 @@ def main():
         for line, problem in try_file(path, parti):
             failed += 1
             print(f"{os.path.relpath(path, ROOT)}:{line}: {problem}")
+    for problem in uncited_errata():
+        failed += 1
+        print(problem)
     print(f"docs: {len(files)} documents, {failed} problems")
     return 1 if failed else 0
 

@@ -44,6 +44,11 @@ class Documents(unittest.TestCase):
     def test_text_that_is_not_json_is_found(self):
         self.assertEqual(self.lines('```json\n{"a": 1}\n{"b": 2}\n```\n```json\n{a}\n```\n'), [5])
 
+    def test_names_and_paths_that_do_not_exist_are_found(self):
+        self.assertEqual(self.lines("`base::Camera` and `base::View::Project`, `base/camera.h`, `base/NAME.h`\n"), [])
+        self.assertEqual(self.lines("`base::Kamera`\n\n`base/kamera.h`\n`grammar::Camera`\n"), [1, 3, 4])
+        self.assertEqual(self.lines("```\n`base::Kamera`\n```\n`base::Kamera`\n"), [4])
+
     def test_programs_links_and_languages_that_do_not_exist_are_found(self):
         self.assertEqual(self.lines("```console\n./run --build\n./no-such-script\n```\n"), [1])
         self.assertEqual(self.lines("```cobol\nADD 1\n```\n"), [1])

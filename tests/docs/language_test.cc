@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include "base/text_file.h"
-#include "grammar/operation.h"
 #include "grammar/query_filter.h"
 #include "tests/support/data.h"
 
@@ -9,13 +8,6 @@ namespace parti::grammar {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST(LanguageDocument, DescribesEveryOperationInTheTablesWords) {
-  const std::string text = ReadFile(tests::SourceFile("docs/language.md")).value();
-  for (const Operation& row : Operations()) {
-    EXPECT_THAT(text, HasSubstr("| `" + std::string(row.word) + "` | " + std::string(row.doc)));
-  }
-}
 
 TEST(LanguageDocument, DescribesEveryFilterInTheTablesWords) {
   const std::string text = ReadFile(tests::SourceFile("docs/language.md")).value();
