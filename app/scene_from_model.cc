@@ -69,6 +69,14 @@ void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
   if (!creases.ends.empty()) scene->lines.push_back(std::move(creases));
 }
 
+void AddModels(std::span<const grammar::ShapeTree* const> trees, Scene* scene, uint32_t first_id,
+               const DrawingStyle& style) {
+  for (const grammar::ShapeTree* tree : trees) {
+    AddModel(*tree, scene, first_id, style);
+    first_id += tree->size();
+  }
+}
+
 void AddStroke(const Stroke& stroke, Scene* scene, double scale, const DrawingStyle& style) {
   render::Ink ink{{}, {}, style.ink};
   for (const StrokeSample& sample : stroke) {
@@ -85,15 +93,19 @@ void AddLiftedLines(std::span<const Segment3> lines, Scene* scene, const Drawing
   if (!lifted.ends.empty()) scene->lines.push_back(std::move(lifted));
 }
 
+void AddSuggestion(std::span<const Segment3> edges, Scene* scene, const DrawingStyle& style) {
+  render::Lines wires{{}, style.suggestion, style.suggestion_px, style.suggestion_dash_px, true};
+  AddSegments(WithoutOverlaps({edges.begin(), edges.end()}), &wires);
+  if (!wires.ends.empty()) scene->lines.push_back(std::move(wires));
+}
+
 void AddSuggestion(std::span<const Item> items, Scene* scene, const DrawingStyle& style) {
   std::vector<Segment3> edges;
   for (const Item& item : items) {
     const std::vector<Segment3> own = grammar::EdgesOf(item);
     edges.insert(edges.end(), own.begin(), own.end());
   }
-  render::Lines wires{{}, style.suggestion, style.suggestion_px, style.suggestion_dash_px, true};
-  AddSegments(WithoutOverlaps(edges), &wires);
-  if (!wires.ends.empty()) scene->lines.push_back(std::move(wires));
+  AddSuggestion(std::span<const Segment3>(edges), scene, style);
 }
 
 }  // namespace parti::app

@@ -39,6 +39,10 @@ struct DrawingStyle {
 void AddModel(const grammar::ShapeTree& tree, render::Scene* scene, uint32_t first_id = 1,
               const DrawingStyle& style = {});
 
+/// The same for the trees of several lots, numbered on from first_id.
+void AddModels(std::span<const grammar::ShapeTree* const> trees, render::Scene* scene,
+               uint32_t first_id = 1, const DrawingStyle& style = {});
+
 /// Adds a stroke where it was drawn; `scale` is the picture's pixels per pixel of the stroke's
 /// view. Width follows pressure from half to one and a half of ink_px.
 void AddStroke(const Stroke& stroke, render::Scene* scene, double scale = 1,
@@ -48,7 +52,9 @@ void AddStroke(const Stroke& stroke, render::Scene* scene, double scale = 1,
 void AddLiftedLines(std::span<const Segment3> lines, render::Scene* scene,
                     const DrawingStyle& style = {});
 
-/// Adds what an operation would make, as a dashed wire frame.
+/// Adds what an operation would make, as a dashed wire frame: its edges, or the items themselves.
+void AddSuggestion(std::span<const Segment3> edges, render::Scene* scene,
+                   const DrawingStyle& style = {});
 void AddSuggestion(std::span<const grammar::Item> items, render::Scene* scene,
                    const DrawingStyle& style = {});
 

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "render/offscreen.h"
-#include "tests/render/sample_scenes.h"
+#include "tests/support/sample_scenes.h"
 
 namespace parti::render {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "render/look.h"
 #include "render/sun_shadow.h"
-#include "tests/render/sample_scenes.h"
+#include "tests/support/sample_scenes.h"
 
 namespace parti::render {
 namespace {

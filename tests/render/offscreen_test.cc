@@ -7,8 +7,8 @@
 #include <set>
 
 #include "render/bounds.h"
-#include "tests/render/sample_scenes.h"
 #include "tests/support/golden.h"
+#include "tests/support/sample_scenes.h"
 
 namespace parti::render {
 namespace {

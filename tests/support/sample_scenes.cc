@@ -1,4 +1,4 @@
-#include "tests/render/sample_scenes.h"
+#include "tests/support/sample_scenes.h"
 
 #include <array>
 #include <cmath>
