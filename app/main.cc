@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   AddSuggestCommand(app, &run);
   AddDevicesCommand(app, &run);
   AddRecordCommand(app, &run);
+  AddQueryCommand(app, &run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,0 +1,213 @@
+#include "app/lot.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/text_file.h"
+#include "tests/support/data.h"
+#include "tests/support/program.h"
+
+namespace parti::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string ErrorOf(std::string_view text) {
+  const auto lots = ParseLots(text);
+  return lots ? "no error" : FormatError(lots.error());
+}
+
+/// The lots of a file with this content.
+Result<std::vector<Lot>> LotsIn(const std::string& content, std::vector<Error>* refused = nullptr) {
+  const std::string path = tests::TestFolder() + "/lots.json";
+  EXPECT_TRUE(WriteFile(path, content));
+  return ParseLots(path, refused);
+}
+
+std::string ErrorIn(const std::string& content) {
+  const auto lots = LotsIn(content);
+  return lots ? "no error" : FormatError(lots.error());
+}
+
+std::vector<Vec3> CornersOf(const Lot& lot) {
+  std::vector<Vec3> corners;
+  for (const Vec2& p : grammar::PolygonOf(lot.item).outer) {
+    corners.push_back(lot.item.scope.ToWorld(Vec3(p, 0)));
+  }
+  return corners;
+}
+
+bool HasCorner(const Lot& lot, const Vec3& corner) {
+  for (const Vec3& c : CornersOf(lot)) {
+    if (glm::distance(c, corner) < 1e-6) return true;
+  }
+  return false;
+}
+
+void ExpectUp(const Lot& lot) { EXPECT_NEAR(lot.item.facing.y, 1, 1e-9) << lot.name; }
+
+TEST(Lot, ARectangleHasItsMinimumCornerAtTheOrigin) {
+  const auto lots = ParseLots("rect(20, 10)");
+  ASSERT_TRUE(lots);
+  const Lot& lot = lots->at(0);
+  ExpectUp(lot);
+  EXPECT_EQ(lot.item.scope.size, Vec3(20, 10, 0));
+  EXPECT_EQ(lot.item.scope.x, Vec3(1, 0, 0));
+  for (const Vec3& c : {Vec3(0), Vec3(20, 0, 0), Vec3(20, 0, 10), Vec3(0, 0, 10)}) {
+    EXPECT_TRUE(HasCorner(lot, c));
+  }
+}
+
+TEST(Lot, APolygonStandsInWorldCoordinatesAndFacesUpWhateverItsWinding) {
+  for (const char* text : {"poly(1,2 9,2 9,-8 1,-8)", "poly(1,-8 9,-8 9,2 1,2)"}) {
+    const auto lots = ParseLots(text);
+    ASSERT_TRUE(lots) << text;
+    ExpectUp(lots->at(0));
+    EXPECT_NEAR(grammar::AreaOf(lots->at(0).item), 80, 1e-9);
+    EXPECT_TRUE(HasCorner(lots->at(0), Vec3(9, 0, -8)));
+  }
+}
+
+TEST(Lot, MistakesInATextHaveTheirPlace) {
+  EXPECT_EQ(ErrorOf("rect(20)"),
+            "LOT:1:8: error: expected ',', got ')'\n"
+            "    1 | rect(20)\n"
+            "      |        ^");
+  EXPECT_THAT(ErrorOf("rect(0,10)"), HasSubstr("a lot without area"));
+  EXPECT_THAT(ErrorOf("rect(20,-10)"), HasSubstr("a lot without area"));
+  EXPECT_THAT(ErrorOf("rect(nan,10)"), HasSubstr("expected a number of metres, got 'nan'"));
+  EXPECT_THAT(ErrorOf("rect(1e999,10)"), HasSubstr("too large"));
+  EXPECT_THAT(ErrorOf("rect(1e9,10)"), HasSubstr("a lot is 1e+09 m wide"));
+  EXPECT_THAT(ErrorOf("rect(20,10"), HasSubstr("expected ')', got the end"));
+  EXPECT_THAT(ErrorOf("rect(20,10) x"), HasSubstr("expected the end of the lot"));
+  EXPECT_THAT(ErrorOf("poly(0,0 1,1)"), HasSubstr("at least 3 corners"));
+  EXPECT_THAT(ErrorOf("poly(0,0 5,0 10,0)"), HasSubstr("area"));
+  EXPECT_THAT(ErrorOf("poly(0,0 10,10 10,0 0,10)"), HasSubstr("cross"));
+  EXPECT_THAT(ErrorOf("circle(3)"), HasSubstr("there is no lot 'circle'"));
+  EXPECT_THAT(ErrorOf(""), HasSubstr("no lot is given"));
+  EXPECT_THAT(ErrorOf("no/such/file.geojson"), HasSubstr("no/such/file.geojson"));
+}
+
+constexpr const char* kLines =
+    R"({"id":"a","rings":[[[100.5,200.5],[110.5,200.5],[110.5,220.5],[100.5,220.5]]]}
+
+{"id":7,"rings":[[[120,230],[120,250],[140,250],[140,230]],[[125,235],[130,235],[130,240],[125,240]]]}
+)";
+
+TEST(Lot, EastIsXAndNorthIsMinusZFromACommonOrigin) {
+  const auto lots = LotsIn(kLines);
+  ASSERT_TRUE(lots);
+  ASSERT_EQ(lots->size(), 2u);
+  EXPECT_EQ(lots->at(0).name, "a");
+  EXPECT_EQ(lots->at(1).name, "7");
+  EXPECT_EQ(lots->at(0).origin, Vec2(100, 200));
+  EXPECT_EQ(lots->at(1).origin, Vec2(100, 200));
+  EXPECT_TRUE(HasCorner(lots->at(0), Vec3(10.5, 0, -20.5)));
+  EXPECT_TRUE(HasCorner(lots->at(1), Vec3(40, 0, -50)));
+  EXPECT_NEAR(grammar::AreaOf(lots->at(1).item), 400 - 25, 1e-9);
+  for (const Lot& lot : *lots) ExpectUp(lot);
+}
+
+TEST(Lot, GeoJsonOfEveryShapeIsRead) {
+  const auto lots = LotsIn(R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","id":"f","properties":null,"geometry":
+      {"type":"Polygon","coordinates":[[[0,0,5],[9,0,5],[9,9,5],[0,9,5],[0,0,5]]]}},
+    {"type":"Feature","properties":{"id":12},"geometry":{"type":"GeometryCollection","geometries":[
+      {"type":"Point","coordinates":[3,3]},
+      {"type":"MultiPolygon","coordinates":[[[[20,0],[29,0],[20,9]]],[[[40,0],[49,0],[40,9]]]]}]}},
+    {"type":"Feature","properties":{},"geometry":null}]})");
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  ASSERT_EQ(lots->size(), 3u);
+  EXPECT_EQ(lots->at(0).name, "f");
+  EXPECT_EQ(lots->at(2).name, "12");
+  EXPECT_EQ(CornersOf(lots->at(0)).size(), 4u);
+}
+
+TEST(Lot, BadLotsOfAFileAreNamedAndCostNoOther) {
+  const std::string lines = std::string(kLines) +
+                            "{\"id\":\"bow\",\"rings\":[[[0,0],[9,9],[9,0],[0,9]]]}\n"
+                            "{\"id\":\"line\",\"rings\":[[[0,0],[9,9]]]}\n";
+  std::vector<Error> refused;
+  const auto lots = LotsIn(lines, &refused);
+  ASSERT_TRUE(lots);
+  EXPECT_EQ(lots->size(), 2u);
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_EQ(refused[0].code, ErrorCode::kSelfIntersecting);
+  EXPECT_THAT(refused[0].message, HasSubstr("lot 'bow'"));
+  EXPECT_EQ(refused[1].code, ErrorCode::kDegenerateGeometry);
+  EXPECT_THAT(ErrorIn(lines), HasSubstr("lot 'bow'"));
+}
+
+TEST(Lot, MistakesInAFileAreExplained) {
+  EXPECT_THAT(ErrorIn(""), HasSubstr("this is not JSON"));
+  EXPECT_THAT(ErrorIn("{\"type\":\"Topology\"}"), HasSubstr("holds no lots"));
+  EXPECT_THAT(ErrorIn("{\"type\":\"FeatureCollection\",\"features\":[]}"),
+              HasSubstr("holds no lots"));
+  EXPECT_THAT(ErrorIn("{\"type\":\"FeatureCollection\"}"), HasSubstr("no list \"features\""));
+  EXPECT_THAT(ErrorIn("{\"type\":\"Polygon\",\"coordinates\":[[[13.37,52.51],[13.38,52.51],"
+                      "[13.38,52.52]]]}"),
+              HasSubstr("look like degrees"));
+  EXPECT_THAT(ErrorIn("{\"id\":1,\"rings\":[[[0,0],[\"x\",0],[1,1]]]}"),
+              HasSubstr("is not a number"));
+  EXPECT_THAT(ErrorIn("{\"id\":1,\"rings\":[[[0,0],[1e300,0],[1,1]]]}"),
+              HasSubstr("not a finite number"));
+  EXPECT_THAT(ErrorIn("{\"id\":1,\"rings\":[[[0,0],[9,0],[9,9]]]}\n{\"id\":2,\"rin"),
+              HasSubstr(":2:"));
+  EXPECT_THAT(ErrorIn("{\"id\":1,\"rings\":[]}"), HasSubstr("no list of rings"));
+}
+
+TEST(Lot, CityJsonGroundsAreMergedAlongTheirEdges) {
+  // A unit cube's floor as two triangles, without semantics, 5 m up, in decimetres.
+  const auto lots = LotsIn(R"({"type":"CityJSON","version":"1.1",
+    "transform":{"scale":[0.1,0.1,0.1],"translate":[1000,2000,5]},
+    "vertices":[[0,0,0],[100,0,0],[100,100,0],[0,100,0],[0,0,30],[100,0,30],[100,100,30],[0,100,30]],
+    "CityObjects":{"b":{"type":"Building","geometry":[{"type":"Solid","lod":"1","boundaries":[[
+      [[0,2,1]],[[0,3,2]],[[4,5,6]],[[4,6,7]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]]]]}]},
+      "t":{"type":"SolitaryVegetationObject"}}})");
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  ASSERT_EQ(lots->size(), 1u);
+  EXPECT_EQ(CornersOf(lots->at(0)).size(), 4u);
+  EXPECT_NEAR(grammar::AreaOf(lots->at(0).item), 100, 1e-9);
+  EXPECT_TRUE(HasCorner(lots->at(0), Vec3(10, 0, -10)));
+  EXPECT_EQ(lots->at(0).origin, Vec2(1000, 2000));
+  ExpectUp(lots->at(0));
+}
+
+TEST(Lot, DamagedCityJsonIsExplained) {
+  EXPECT_THAT(ErrorIn(R"({"type":"CityJSON","vertices":[]})"), HasSubstr("no CityObjects"));
+  for (const char* boundaries : {"[[[0,1,99]]]", "[[[0,1,-2]]]", "[[[0,1,\"a\"]]]", "7", "[7]"}) {
+    EXPECT_THAT(ErrorIn(std::string(R"({"type":"CityJSON","vertices":[[0,0,0],[1,0,0],[1,1,0]],
+      "CityObjects":{"b":{"type":"Building","geometry":[{"boundaries":)") +
+                        boundaries + "}]}}}"),
+                HasSubstr("boundaries that are not numbers of vertices"))
+        << boundaries;
+  }
+}
+
+TEST(Lot, RealPlotsAndFootprintsAreLots) {
+  for (const char* name : {"buildings/footprints-dev.jsonl", "buildings/plots-dev.jsonl"}) {
+    PARTI_NEED_DATA(path, name);
+    std::vector<Error> refused;
+    const auto lots = ParseLots(path, &refused);
+    ASSERT_TRUE(lots) << FormatError(lots.error());
+    for (const Error& error : refused) ADD_FAILURE() << FormatError(error);
+    for (const Lot& lot : *lots) ExpectUp(lot);
+  }
+}
+
+TEST(Lot, RealCityModelsHaveGrounds) {
+  PARTI_NEED_DATA(hague, "buildings/DH_01_subs.city.json");
+  PARTI_NEED_DATA(delft, "buildings/delft_1b.json");
+  const auto many = ParseLots(hague);
+  ASSERT_TRUE(many) << FormatError(many.error());
+  EXPECT_GE(many->size(), 5u);
+  // One building, open below, its roof in 75 triangles.
+  const auto one = ParseLots(delft);
+  ASSERT_TRUE(one) << FormatError(one.error());
+  ASSERT_EQ(one->size(), 1u);
+  EXPECT_GT(grammar::AreaOf(one->at(0).item), 100);
+  EXPECT_NEAR(one->at(0).item.scope.origin.y, 0, 1);
+}
+
+}  // namespace
+}  // namespace parti::app
