@@ -16,6 +16,9 @@ int main(int argc, char** argv) {
   AddDevicesCommand(app, &run);
   AddRecordCommand(app, &run);
   AddQueryCommand(app, &run);
+  AddReplayCommand(app, &run);
+  AddRenderCommand(app, &run);
+  AddExportCommand(app, &run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,5 +1,4 @@
 // Loops to polygons: which hole lies in which outline.
-// The loops cross nothing: polygon_crossing.h has seen to that.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,4 @@
 // Semantic queries over a shape tree (Jesus 2018, 5.3; errata 10, 11; docs/language.md, Queries).
-// Not responsible for guessing the query that a few selected shapes mean.
 #pragma once
 
 #include <string>
@@ -22,7 +21,6 @@ struct Filter {
   bool operator==(const Filter&) const;
 };
 
-/// One step of a query: what a shape has to have. Empty parts ask for nothing.
 struct QuerySelector {
   std::string operation;  ///< a table row's word; "" any
   std::string symbol;     ///< "" any
@@ -31,7 +29,6 @@ struct QuerySelector {
   bool operator==(const QuerySelector&) const = default;
 };
 
-/// Selectors joined by relations; the shapes selected are the last selector's.
 struct Query {
   enum class Relation : char { kDescendants = '>', kChildren = '/', kSiblings = '~' };
   std::vector<QuerySelector> selectors;  ///< n >= 1

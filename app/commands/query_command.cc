@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/model_file.h"
+#include "app/open_model.h"
 #include "grammar/operation.h"
 
 namespace parti::app {
@@ -17,9 +17,8 @@ using grammar::ShapeTree;
 using OrderedJson = nlohmann::ordered_json;
 
 struct QueryOptions {
-  std::string file;
+  ModelOptions model;
   std::string query;
-  std::string lot{kUsualLot};
   bool json = false;
 };
 
@@ -40,32 +39,14 @@ OrderedJson JsonOf(const Match& match) {
           {"leaf", match.tree->IsLeaf(match.shape)}};
 }
 
-/// One tree per lot, all rules run.
-Result<std::vector<ShapeTree>> DeriveAll(const ModelFile& model) {
-  std::vector<ShapeTree> trees;
-  for (const Lot& lot : model.lots) {
-    auto derivation = grammar::Derive(model.trees, ShapeTree(lot.item));
-    if (!derivation) {
-      Error error = derivation.error();
-      if (model.lots.size() > 1)
-        error.message = fmt::format("lot '{}': {}", lot.name, error.message);
-      return tl::unexpected<Error>(std::move(error));
-    }
-    trees.push_back(std::move(derivation->tree));
-  }
-  return trees;
-}
-
-Result<std::vector<Match>> MatchesOf(const grammar::Query& query,
-                                     const std::vector<ShapeTree>& trees) {
+Result<std::vector<Match>> MatchesOf(const grammar::Query& query, const Model& model) {
   std::vector<Match> matches;
-  for (size_t lot = 0; lot < trees.size(); ++lot) {
-    const auto product = grammar::ProductOf(query, trees[lot]);
+  for (size_t lot = 0; lot < model.derived.size(); ++lot) {
+    const ShapeTree& tree = model.derived[lot]->tree;
+    const auto product = grammar::ProductOf(query, tree);
     if (!product) return Fail(product);
     for (const ShapeIndex shape : *product) {
-      const std::string id = trees[lot].IdOf(shape);
-      matches.push_back(
-          {trees.size() > 1 ? fmt::format("lot-{}:{}", lot, id) : id, &trees[lot], shape});
+      matches.push_back({IdOf(model, {lot, shape}), &tree, shape});
     }
   }
   return matches;
@@ -84,15 +65,10 @@ void Print(const std::vector<Match>& matches, double ms, bool as_json) {
 int RunQuery(const QueryOptions& options) {
   const auto query = grammar::ParseQuery(options.query, "QUERY");
   if (!query) return Report(query.error());
-  const auto model = ReadModelFile(options.file, options.lot);
-  if (!model) {
-    for (const Error& error : model.error()) Report(error);
-    return kFailed;
-  }
-  const auto trees = DeriveAll(*model);
-  if (!trees) return Report(trees.error());
+  const auto opened = OpenModel(options.model);
+  if (!opened) return ReportAll(opened.error());
   const auto start = std::chrono::steady_clock::now();
-  const auto matches = MatchesOf(*query, *trees);
+  const auto matches = MatchesOf(*query, opened->model);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   if (!matches) return Report(matches.error());
   Print(*matches, took.count(), options.json);
@@ -106,15 +82,9 @@ int RunQuery(const QueryOptions& options) {
 void AddQueryCommand(CLI::App& app, Run* run) {
   CLI::App* command = app.add_subcommand("query", "Lists the shapes that a query selects");
   const auto options = std::make_shared<QueryOptions>();
-  command->add_option("FILE", options->file, "a .cga text with trees")->required();
+  AddModelOptions(command, &options->model);
   command->add_option("QUERY", options->query, "Operation.symbol#tag:filter, joined by > / ~")
       ->required();
-  command
-      ->add_option(
-          "--lot", options->lot,
-          "rect(WIDTH,DEPTH), poly(x,z x,z …), or a GeoJSON (in metres), CityJSON or rings "
-          "JSONL file")
-      ->capture_default_str();
   command->add_flag("--json", options->json, "one JSON object instead of ids");
   command->footer(
       "Example:\n"

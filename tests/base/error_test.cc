@@ -99,6 +99,7 @@ TEST(DidYouMean, FindsTheNearestWord) {
   EXPECT_EQ(DidYouMean("extrud", words), "extrude");
   EXPECT_EQ(DidYouMean("Ofset", words), "offset");
   EXPECT_EQ(DidYouMean("SPLIT", words), "split");
+  EXPECT_EQ(DidYouMean("comp", {"cmop"}), "cmop") << "swapped letters are one slip";
   EXPECT_EQ(DidYouMean("", words), std::nullopt);
   EXPECT_EQ(DidYouMean("roof", words), std::nullopt);
   EXPECT_EQ(DidYouMean("extrude", {}), std::nullopt);

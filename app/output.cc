@@ -1,0 +1,80 @@
+#include "app/output.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "app/export_glb.h"
+#include "app/export_obj.h"
+#include "app/picture.h"
+#include "base/text_file.h"
+
+namespace parti::app {
+namespace {
+
+struct Request {
+  const Model& model;
+  const std::optional<Camera>& view;
+  const std::string& path;
+};
+
+ModelMesh MeshOf(const Model& model) {
+  std::vector<const grammar::ShapeTree*> trees;
+  for (const auto& derivation : model.derived) trees.push_back(&derivation->tree);
+  return ModelMeshFrom(trees);
+}
+
+Result<void> WriteRules(const Request& request) {
+  const std::string text = grammar::TextOf(request.model.trees);
+  if (text.empty()) {
+    return Fail(ErrorCode::kNothingMade, fmt::format("there are no rules for {}", request.path));
+  }
+  return WriteFile(request.path, text);
+}
+
+Result<void> WriteView(const Request& request) {
+  SessionState state;
+  state.model = request.model;
+  state.camera = request.view.value_or(AutoViewOf(request.model, kPictureSize_px));
+  return WritePicture(state, request.path);
+}
+
+struct Format {
+  std::string_view ending;
+  Result<void> (*write)(const Request&);
+};
+
+constexpr std::array kFormats = {
+    Format{".glb",
+           [](const Request& r) { return ExportGltf(MeshOf(r.model), GltfForm::kBinary, r.path); }},
+    Format{".gltf",
+           [](const Request& r) { return ExportGltf(MeshOf(r.model), GltfForm::kText, r.path); }},
+    Format{".obj", [](const Request& r) { return ExportObj(MeshOf(r.model), r.path); }},
+    Format{".cga", WriteRules},
+    Format{".png", WriteView},
+};
+
+}  // namespace
+
+std::string ExportEndings() {
+  std::string endings;
+  for (const Format& format : kFormats) {
+    endings += fmt::format("{}{}", endings.empty() ? "" : ", ", format.ending);
+  }
+  return endings;
+}
+
+Result<void> ExportModel(const Model& model, const std::optional<Camera>& view,
+                         const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return format.write({model, view, path});
+  }
+  return Fail(ErrorCode::kUnknownName,
+              fmt::format("'{}' is no format to export to ({})", ending, path),
+              fmt::format("there are {}", ExportEndings()));
+}
+
+}  // namespace parti::app

@@ -1,0 +1,22 @@
+// Files that a model is written to, by the ending of their name.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/session_state.h"
+#include "base/error.h"
+
+namespace parti::app {
+
+/// .glb, .gltf, .obj: what is visible, in metres, y up, grouped by symbol; .cga: the rules as text;
+/// .png: a picture in `view`, or one that shows all of it.
+/// errors  kUnknownName  another ending (the hint lists those there are);  kNothingMade  the model
+///         is empty;  kFile.
+Result<void> ExportModel(const Model& model, const std::optional<Camera>& view,
+                         const std::string& path);
+
+/// ".glb, .gltf, …": the endings that ExportModel knows.
+std::string ExportEndings();
+
+}  // namespace parti::app

@@ -1,0 +1,65 @@
+// The few calls of SQLite that documents need, with Results instead of codes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace parti::app {
+
+class Database;
+
+/// A prepared statement. Values are bound from 1, columns read from 0.
+class Statement {
+ public:
+  Statement& Bind(int index, std::string_view text);
+  Statement& Bind(int index, double value);
+  Statement& Bind(int index, int64_t value);
+  Statement& BindBlob(int index, std::string_view bytes);
+
+  /// Steps once. true: a row is there to read. false: done.
+  /// errors  kDamagedFile  the database is corrupt or of another shape;  kFile  it can't be
+  /// written.
+  Result<bool> Step();
+  /// Steps to the end, expecting no rows.
+  Result<void> Run();
+
+  std::string Text(int column) const;  ///< bytes of a text or blob; "" for null
+  double Number(int column) const;
+  int64_t Integer(int column) const;
+
+ private:
+  friend class Database;
+  struct Finalizer {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  std::unique_ptr<sqlite3_stmt, Finalizer> handle_;
+  const Database* database_ = nullptr;
+};
+
+class Database {
+ public:
+  enum class Mode { kRead, kCreate };
+  /// errors  kFile  it can't be opened or made;  kDamagedFile  not a database.
+  static Result<Database> Open(const std::string& path, Mode mode);
+
+  Result<void> Execute(const std::string& sql);
+  Result<Statement> Prepare(std::string_view sql);
+
+ private:
+  friend class Statement;
+  Error Failure() const;
+
+  struct Closer {
+    void operator()(sqlite3* database) const;
+  };
+  std::string path_;
+  std::unique_ptr<sqlite3, Closer> handle_;
+};
+
+}  // namespace parti::app

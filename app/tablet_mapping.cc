@@ -1,0 +1,32 @@
+#include "app/tablet_mapping.h"
+
+#include <algorithm>
+
+namespace parti::app {
+
+TabletMapping::TabletMapping(const DeviceFacts& device, const Camera& camera) {
+  Vec2 size = device.size_mm.value_or(kUsualSize_mm);
+  if (!(size.x > 0 && size.y > 0)) size = kUsualSize_mm;
+  const Vec2 view(camera.width_px, camera.height_px);
+  px_per_mm_ = std::max(view.x / size.x, view.y / size.y);
+  origin_px_ = (view - size * px_per_mm_) * 0.5;
+}
+
+Vec2 TabletMapping::ToView_px(const Vec2& tablet_mm) const {
+  return origin_px_ + tablet_mm * px_per_mm_;
+}
+
+Vec2 TabletMapping::ToTablet_mm(const Vec2& view_px) const {
+  return (view_px - origin_px_) / px_per_mm_;
+}
+
+Stroke TabletMapping::ToView(const input::PenStroke& stroke) const {
+  Stroke mapped;
+  mapped.reserve(stroke.samples.size());
+  for (const input::PenSample& s : stroke.samples) {
+    mapped.push_back({ToView_px(s.position_mm), s.t_s, s.pressure});
+  }
+  return mapped;
+}
+
+}  // namespace parti::app

@@ -1,0 +1,72 @@
+#include "app/command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace parti::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(CommandTest, EveryCommandReadsBackAsWritten) {
+  for (const char* line :
+       {"lot rect(20,14)", "lot poly(0,0 10,0 10,8)",
+        "view eye 30.1 14 40 target 10 5 7 fov 40 size 1600 1000", "pick 2", "pick 1 split",
+        "name B CenterFloors", "query .Facade:north / .Floor:even", "set sizes[1] 2.75",
+        "node .Glass --> color(\"#7f9db5\")", "clear", "undo", "redo"}) {
+    const auto command = ParseCommand(line);
+    ASSERT_TRUE(command) << line << ": " << command.error().message;
+    EXPECT_EQ(TextOf(*command), line);
+  }
+}
+
+TEST(CommandTest, ViewsComeBackToTheLastBit) {
+  Camera camera;
+  camera.eye = {1.0 / 3, 0.1, 1e-7};
+  camera.vertical_fov = Angle::Degrees(36.6);
+  const auto back = ParseCommand(TextOf(SetView{camera}));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(std::get<SetView>(*back).camera, camera);
+}
+
+TEST(CommandTest, SpaceAroundWordsIsNotPartOfThem) {
+  const auto command = ParseCommand("  node   .A --> tag(\"x y\") \t");
+  ASSERT_TRUE(command);
+  EXPECT_EQ(std::get<AddNode>(*command).text, ".A --> tag(\"x y\")");
+}
+
+TEST(CommandTest, AMisspeltCommandIsAnsweredWithTheOneMeant) {
+  const auto command = ParseCommand("pikc 1");
+  ASSERT_FALSE(command);
+  EXPECT_EQ(command.error().code, ErrorCode::kUnknownName);
+  EXPECT_THAT(command.error().hint, HasSubstr("'pick'"));
+}
+
+TEST(CommandTest, IncompleteCommandsShowAnExample) {
+  for (const char* line : {"lot", "view eye 1 2 3", "pick", "name A", "query", "set x", "node"}) {
+    const auto command = ParseCommand(line);
+    ASSERT_FALSE(command) << line;
+    EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;
+    EXPECT_THAT(command.error().hint, HasSubstr("for example")) << line;
+  }
+}
+
+TEST(CommandTest, NumbersThatAreNoneAreRefused) {
+  for (const char* line : {"pick one", "pick 0", "pick 1.5", "set distance nan", "set distance 12m",
+                           "view eye inf 14 40 target 10 5 7 fov 40 size 1600 1000",
+                           "view eye 1 1 1 target 1 1 1 fov 40 size 1600 1000",
+                           "view eye 0 9 0 target 0 0 0 fov 40 size 1600 1000",
+                           "view eye 30 14 40 target 10 5 7 fov 190 size 1600 1000"}) {
+    const auto command = ParseCommand(line);
+    ASSERT_FALSE(command) << line;
+    EXPECT_EQ(command.error().code, ErrorCode::kBadNumber) << line;
+  }
+}
+
+TEST(CommandTest, AnEmptyLineIsNoCommand) {
+  EXPECT_FALSE(ParseCommand(""));
+  EXPECT_FALSE(ParseCommand("   "));
+}
+
+}  // namespace
+}  // namespace parti::app
