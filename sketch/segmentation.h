@@ -34,7 +34,8 @@ struct Segmentation {
 /// cost     linear in the samples, plus at most most_candidates squared.
 /// Hooks that pen-down and pen-up leave at the ends stay part of the first and last segment.
 /// Properties: (1) unchanged by translating, rotating and scaling the stroke, and by a constant
-/// factor on time; (2) reversing the stroke mirrors the corners, up to one sample.
+/// factor on time; (2) reversing the stroke mirrors the corners; either up to one step of the path
+/// (1/80 of the diagonal) where two points are equally good and rounding chooses.
 Result<Segmentation> SegmentStroke(const Stroke& stroke,
                                    const SegmentationParameters& parameters = {});
 

@@ -6,8 +6,8 @@ namespace parti::sketch {
 /// Lengths are fractions of the stroke's diagonal and speeds fractions of its median speed, so that
 /// a stroke drawn at another scale, or on another device, segments alike. Costs are in nats, as if
 /// from log-likelihoods; only their differences matter. "Fitted" numbers minimise the logistic loss
-/// of the right answer's margin on the development strokes; docs/segmentation.md has the method
-/// and how the figures change when a person is left out.
+/// of the right answer's margin on the development strokes, rounded; docs/segmentation.md has the
+/// figures, those for people left out of the fit, and how little hangs on the numbers.
 struct SegmentationParameters {
   // Filter: the stroke as evenly spaced points.
 

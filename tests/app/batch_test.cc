@@ -37,7 +37,7 @@ TEST(Batch, ABadLineIsAnsweredInItsPlaceAndCostsNoOther) {
 }
 
 TEST(Batch, ALineThatIsNotJsonNamesItsPlace) {
-  const std::string answer = Answers("\n{\"id\":1,\"n\":NaN}\n");
+  const std::string answer = Answers("\n{\"id\":1,\"n\":oops}\n");
   EXPECT_THAT(answer, testing::StartsWith("{\"id\":null,\"error\":\"line 2, column 1"));
   EXPECT_THAT(answer, testing::HasSubstr("NaN is not a finite number"));
 }
