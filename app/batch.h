@@ -18,6 +18,7 @@ using BatchAnswer = nlohmann::ordered_json;
 /// Answers one task: a JSON object that has an "id" (a string or a number).
 using AnswerTask = std::function<Result<BatchAnswer>(const Json& task)>;
 
+/// How a batch went.
 struct BatchTally {
   int answered = 0;
   int failed = 0;  ///< lines that gave {"id", "error"}

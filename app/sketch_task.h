@@ -13,6 +13,7 @@
 
 namespace parti::app {
 
+/// One sketch: the item drawn on, the view, the strokes.
 struct SketchTask {
   grammar::Item item;
   Camera camera;

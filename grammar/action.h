@@ -15,6 +15,7 @@ namespace parti::grammar {
 
 struct Operation;
 
+/// An axis of an item's scope.
 enum class Axis : uint8_t { kX, kY, kZ };
 
 /// A size along a split axis: 3 (m), '0.5 (of the whole), ~1 (share of the rest).
@@ -66,6 +67,7 @@ struct Successor {
 
 using Argument = std::variant<double, bool, Axis, std::string>;
 
+/// An operation with its arguments and what it makes: a value that text, panels and sketches share.
 struct Action {
   const Operation* operation = nullptr;  ///< a row of the table; not null in a valid action
   std::vector<Argument> arguments;       ///< one per parameter of the row, in its order

@@ -1,4 +1,5 @@
 // What operations take and give: a typed piece of geometry in its scope (Jesus 2018, 4.2).
+// Not responsible for where an item stands in a derivation (shape_tree.h).
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 
 namespace parti::grammar {
 
+/// The kinds of geometry that operations tell apart.
 enum class ItemType : uint8_t { kVolume = 1, kPlanar = 2 };
 /// A set of ItemType values, or-ed.
 using ItemTypes = uint8_t;

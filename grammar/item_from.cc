@@ -19,12 +19,20 @@ constexpr double kOrthonormal = 1e-6;
 
 using Rings3 = std::vector<std::vector<Vec3>>;
 
-Result<void> CheckFinite(const Rings3& rings) {
+/// Also false for what is not a number.
+bool IsInRange(const Vec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kLargestCoordinate_m &&
+         IsFinite(p);
+}
+
+Result<void> CheckRange(const Rings3& rings) {
   for (const auto& ring : rings) {
     for (const Vec3& p : ring) {
-      if (IsFinite(p)) continue;
-      return Fail(ErrorCode::kBadNumber, "a polygon has a corner that is not a finite number",
-                  "give every coordinate in metres");
+      if (IsInRange(p)) continue;
+      return Fail(
+          ErrorCode::kBadNumber,
+          fmt::format("a polygon has a corner at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z),
+          fmt::format("give finite coordinates in metres, up to {:.0g}", kLargestCoordinate_m));
     }
   }
   return {};
@@ -145,7 +153,7 @@ bool IsNearlyRectangle(const Polygon& polygon) {
 }  // namespace
 
 Result<Item> PlanarFrom(const Rings3& rings, const Vec3* up_hint) {
-  if (const auto finite = CheckFinite(rings); !finite) return Fail(finite);
+  if (const auto range = CheckRange(rings); !range) return Fail(range);
   const auto normal = NormalOf(rings.empty() ? std::vector<Vec3>{} : rings[0], up_hint);
   if (!normal) return Fail(normal);
   Scope frame = FrameOf(rings, *normal);
@@ -163,10 +171,11 @@ Result<Item> PlanarFrom(const Rings3& rings, const Vec3* up_hint) {
 
 Result<Item> BoxFrom(const Scope& scope) {
   const Vec3 &x = scope.x, &y = scope.y, &z = scope.z;
-  if (!IsFinite(scope.origin) || !IsFinite(x) || !IsFinite(y) || !IsFinite(z) ||
-      !IsFinite(scope.size)) {
-    return Fail(ErrorCode::kBadNumber, "a box has a number that is not finite",
-                "give origin, axes and size in metres");
+  if (!IsInRange(scope.origin) || !IsFinite(x) || !IsFinite(y) || !IsFinite(z) ||
+      !IsInRange(scope.size)) {
+    return Fail(
+        ErrorCode::kBadNumber, "a box has a number that is not finite, or too large",
+        fmt::format("give origin, axes and size in metres, up to {:.0g}", kLargestCoordinate_m));
   }
   const double unit = std::max({std::abs(glm::length(x) - 1), std::abs(glm::length(y) - 1),
                                 std::abs(glm::dot(x, y)), glm::length(glm::cross(x, y) - z)});

@@ -1,4 +1,5 @@
 // Items from geometry: scopes shrunk to what stands in them, rectangles and boxes recognised.
+// Shared by the operations; what callers outside the folder use is in item.h.
 #pragma once
 
 #include "grammar/item.h"

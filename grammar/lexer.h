@@ -10,6 +10,7 @@
 
 namespace parti::grammar {
 
+/// One token, and where it stands.
 struct Token {
   enum class Kind : uint8_t { kEnd, kName, kNumber, kText, kArrow, kMark, kBad };
   Kind kind = Kind::kEnd;
@@ -48,6 +49,7 @@ class Lexer {
   bool At(char mark) const { return token_.kind == Token::Kind::kMark && token_.mark == mark; }
   bool At(Token::Kind kind) const { return token_.kind == kind; }
   bool AtWord(std::string_view word) const { return At(Token::Kind::kName) && token_.text == word; }
+  /// Moves on if the token at hand is this one.
   bool Accept(char mark);
   bool AcceptWord(std::string_view word);
   /// No blank or comment between the token before and the one at hand.

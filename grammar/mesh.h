@@ -1,4 +1,5 @@
 // Closed polygonal meshes: what volumes are made of.
+// Offsets and triangles are the polygons' business (polygon.h).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Which edge of a face comes first: the x axis of the face's scope.
+// Upright faces start at their bottom, so that every façade is split the same way.
 #pragma once
 
 #include "grammar/mesh.h"

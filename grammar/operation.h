@@ -16,6 +16,7 @@ namespace parti::grammar {
 /// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f.
 enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor, kWord };
 
+/// What an operation wants to be told: one argument of it.
 struct Parameter {
   std::string_view name;  ///< "distance"
   ParameterKind kind;
@@ -37,6 +38,7 @@ struct Product {
   int successor = -1;
 };
 
+/// A row of the table: all that the program knows of an operation.
 struct Operation {
   std::string_view name;  ///< in rules: "split"
   std::string_view word;  ///< in queries: "Split"

@@ -21,6 +21,7 @@ struct Polygon {
   bool operator==(const Polygon&) const = default;
 };
 
+/// A bounding rectangle along the axes.
 struct Box2 {
   Vec2 low{0, 0};
   Vec2 high{0, 0};
@@ -29,6 +30,9 @@ struct Box2 {
 /// Corners nearer to each other, and areas smaller, than these are none.
 inline constexpr double kLengthTolerance_m = 1e-6;
 inline constexpr double kAreaTolerance_m2 = 1e-9;
+
+/// Larger coordinates are refused: their products would leave what doubles can hold.
+inline constexpr double kLargestCoordinate_m = 1e12;
 
 /// Corners nearer than this to a cut through something of this extent lie on it.
 constexpr double CutTolerance(double extent_m) { return 1e-9 * std::max(1.0, extent_m); }
@@ -44,7 +48,7 @@ bool Contains(const Polygon& polygon, const Vec2& point);
 
 /// A Polygon from rings as people and files give them: first the outline, then holes, each in any
 /// winding, repeated and collinear-by-repetition corners dropped.
-/// errors  kBadNumber  a coordinate that is not finite;
+/// errors  kBadNumber  a coordinate that is not finite, or beyond kLargestCoordinate_m;
 ///         kDegenerateGeometry  fewer than 3 distinct corners, or no area;
 ///         kSelfIntersecting  a ring that crosses or touches itself or another (the message says
 ///         where), or a hole outside the outline.

@@ -1,4 +1,5 @@
 // Finding where rings cross or touch: the check behind PolygonFrom.
+// Says where, for the error message; mends nothing.
 #pragma once
 
 #include <optional>

@@ -52,10 +52,12 @@ void Reverse(Ring* ring) {
 
 Result<Ring> CleanRing(const Ring& given, size_t number) {
   for (const Vec2& p : given) {
-    if (IsFinite(p)) continue;
-    return Fail(ErrorCode::kBadNumber,
-                fmt::format("{} has a corner that is not a finite number", NameOfRing(number)),
-                "give every coordinate in metres");
+    // Written so that NaN fails, too.
+    if (std::abs(p.x) <= kLargestCoordinate_m && std::abs(p.y) <= kLargestCoordinate_m) continue;
+    return Fail(
+        ErrorCode::kBadNumber,
+        fmt::format("{} has a corner at ({:.6g}, {:.6g})", NameOfRing(number), p.x, p.y),
+        fmt::format("give finite coordinates in metres, up to {:.0g}", kLargestCoordinate_m));
   }
   Ring ring = given;
   DropRepeatedCorners(&ring);

@@ -1,4 +1,5 @@
 // The door to CGAL's straight skeleton; polygon_skeleton.cc is the only source that includes it.
+// Exceptions of the library end here, as Results.
 #pragma once
 
 #include <vector>

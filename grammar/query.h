@@ -1,4 +1,5 @@
 // Semantic queries over a shape tree (Jesus 2018, 5.3; errata 10, 11; docs/language.md, Queries).
+// Not responsible for guessing the query that a few selected shapes mean.
 #pragma once
 
 #include <string>
@@ -21,6 +22,7 @@ struct Filter {
   bool operator==(const Filter&) const;
 };
 
+/// One step of a query: what a shape has to have. Empty parts ask for nothing.
 struct QuerySelector {
   std::string operation;  ///< a table row's word; "" any
   std::string symbol;     ///< "" any
@@ -29,6 +31,7 @@ struct QuerySelector {
   bool operator==(const QuerySelector&) const = default;
 };
 
+/// Selectors joined by relations; the shapes selected are the last selector's.
 struct Query {
   enum class Relation : char { kDescendants = '>', kChildren = '/', kSiblings = '~' };
   std::vector<QuerySelector> selectors;  ///< n >= 1

@@ -1,4 +1,5 @@
 // The filters that queries know, and what each asks of a shape (Jesus 2018, 5.3.1; errata 10, 11).
+// Not responsible for volumes and distances (query_region.h).
 #pragma once
 
 #include <functional>
@@ -21,12 +22,14 @@ enum class FilterArguments : uint8_t {
   kQueryAndMetres
 };
 
+/// All that is known of a filter: the table that parser, help and completion share.
 struct FilterRow {
   std::string_view name;
   FilterArguments arguments;
   std::string_view doc;  ///< in plain words, for help and completion
 };
 
+/// All rows, in the order of the manual.
 std::span<const FilterRow> Filters();
 /// nullptr when there is none.
 const FilterRow* FindFilter(std::string_view name);

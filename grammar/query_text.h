@@ -1,4 +1,5 @@
 // Reading queries from a text that goes on after them; ParseQuery and TextOf are in query.h.
+// Not responsible for what a query selects.
 #pragma once
 
 #include "grammar/lexer.h"

@@ -8,6 +8,7 @@
 
 namespace parti::grammar {
 
+/// One volume, ready to be asked about many points.
 class QueryVolume {
  public:
   /// A filter with a volume that passed CheckFilter.

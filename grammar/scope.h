@@ -1,4 +1,5 @@
 // A scope: the oriented box in which an item stands and along whose axes it is split.
+// Jesus 2018, 4.2. Knows nothing of the geometry in it.
 #pragma once
 
 #include "base/math.h"
@@ -15,6 +16,7 @@ struct Scope {
   Vec3 z{0, 0, 1};
   Vec3 size{0, 0, 0};
 
+  /// From the scope's coordinates to the world's, and back; both in metres.
   Vec3 ToWorld(const Vec3& local) const { return origin + x * local.x + y * local.y + z * local.z; }
   Vec3 ToLocal(const Vec3& world) const {
     const Vec3 d = world - origin;

@@ -44,16 +44,19 @@ std::string TextOf(const Trees& trees);
 /// "off .Floor:even --> tag("x")": the node alone, on one line.
 std::string TextOf(const SelectionActionNode& node);
 
+/// Where derivation gives up with an error instead of filling the memory.
 struct Limits {
   uint32_t shapes = 2'000'000;
 };
 
+/// Something that worked but was perhaps not meant.
 struct DerivationHint {
   std::string node;     ///< the node's text, one line
   std::string message;  ///< "selected nothing", "acted on 3 shapes that already had children" …
   size_t result = 0;    ///< index in Derivation::nodes
 };
 
+/// What one node selected and made; kept, so that a later derivation can go on from here.
 struct NodeResult {
   std::vector<int> path;  ///< tree, node, child …
   Query query;            ///< as they were when the node ran
@@ -64,6 +67,7 @@ struct NodeResult {
   ShapeTree after;                   ///< the tree when the node's own action had run
 };
 
+/// What trees made of one lot.
 struct Derivation {
   ShapeTree lot;                  ///< what it started from
   ShapeTree tree;                 ///< what it came to

@@ -19,6 +19,7 @@ struct AlternativePlan {
   bool nil = false;
 };
 
+/// One operation, ready to act.
 struct ActionPlan {
   enum class Kind : uint8_t { kTag, kSymbol, kChange, kMake };
   Kind kind = Kind::kMake;
@@ -27,6 +28,7 @@ struct ActionPlan {
   /// By Product::successor; for operations without braces one, for what follows the operation.
   std::vector<AlternativePlan> alternatives;
 
+  /// What follows for one product of the operation.
   const AlternativePlan& AlternativeOf(const Product& product) const;
 };
 

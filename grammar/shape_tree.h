@@ -23,6 +23,7 @@ inline constexpr ShapeIndex kNoShape = 0xffffffff;
 using NameId = uint32_t;
 inline constexpr NameId kNoName = 0xffffffff;
 
+/// One node of the tree: an item, its names, and where it stands.
 struct Shape {
   Item item;
   const Operation* operation = nullptr;  ///< that made it; null for the lot itself

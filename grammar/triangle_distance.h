@@ -21,11 +21,13 @@ struct Box3 {
 Box3 BoundsOf(const std::vector<Triangle>& triangles);  ///< n >= 1
 double Distance(const Box3& a, const Box3& b);
 
+/// The nearest point of the segment, the triangle.
 Vec3 NearestOn(const Segment3& segment, const Vec3& point);
 Vec3 NearestOn(const Triangle& triangle, const Vec3& point);
 /// The nearest point of the solid box that the scope is.
 Vec3 NearestOn(const Scope& scope, const Vec3& point);
 
+/// 0 where they meet.
 double Distance(const Segment3& a, const Segment3& b);
 /// Whether the segment passes through the triangle's plane inside it.
 bool Pierces(const Segment3& segment, const Triangle& triangle);

@@ -1,4 +1,5 @@
 // UTF-8, as far as a lexer needs it: one code point at a time, and which of them are letters.
+// Not responsible for normal forms: names are compared byte by byte.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +7,7 @@
 
 namespace parti::grammar {
 
+/// One character and the bytes that it takes.
 struct CodePoint {
   char32_t value = 0;
   size_t length = 0;  ///< bytes; 0: not UTF-8 here (or the end)
@@ -15,6 +17,7 @@ struct CodePoint {
 /// not UTF-8.
 CodePoint CodePointAt(std::string_view text, size_t offset);
 
+/// All of it, from the first byte to the last.
 bool IsUtf8(std::string_view text);
 
 /// Letters and _; of code points past ASCII everything but blanks, punctuation, arrows, symbols and

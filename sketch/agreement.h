@@ -1,10 +1,12 @@
 // One value from several lines, each of which may be read in several ways.
+// Used by the heuristics to start the descent near the right minimum (Jesus 2018, 6.5; errata 19).
 #pragma once
 
 #include <vector>
 
 namespace parti::sketch {
 
+/// What one line may say about the value.
 struct ValueReading {
   double value = 0;
   double fitness = 0;  ///< of the candidate line that it comes from, (0, 1]

@@ -22,6 +22,7 @@ struct Sample {
   uint32_t count = 0;
 };
 
+/// All samples for one item, with their edges side by side.
 struct Candidates {
   std::vector<Sample> samples;                  ///< by family, then by length
   std::vector<Segment3> edges;                  ///< m

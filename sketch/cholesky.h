@@ -1,4 +1,5 @@
 // Symmetric positive definite systems of a few unknowns.
+// For the steps of descent and the evidence of ranking; large systems are not its business.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,4 @@
+// comp: a volume that is drawn on along its edges is taken apart (Jesus 2018, 6.5.4; errata 23).
 #include <algorithm>
 
 #include "grammar/operation.h"

@@ -1,4 +1,5 @@
 // The lines of a sketch in the world, each with what was drawn (Jesus 2018, 6.4.2).
+// Views may differ from line to line: a sketch survives moving the camera.
 #pragma once
 
 #include <vector>

@@ -9,6 +9,7 @@
 
 namespace parti::sketch {
 
+/// A hypothesis after descent, and how well it fits.
 struct Adjusted {
   Hypothesis hypothesis;
   Match match;             ///< of the adjusted action

@@ -1,3 +1,4 @@
+// extrude: a line that leaves a planar item along its normal (Jesus 2018, 6.5.1).
 #include <algorithm>
 
 #include "grammar/operation.h"

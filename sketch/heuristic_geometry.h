@@ -1,4 +1,5 @@
 // What the heuristics ask of lines and outlines.
+// Angles and distances only: what they mean is for each heuristic to say (Jesus 2018, 6.5).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
 // An operation that may be meant, before and after its numbers are adjusted.
+// Made by the heuristics and by sampling, adjusted by descent.h, weighed by ranking.h.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 
 namespace parti::sketch {
 
+/// One operation, with what is known of its numbers.
 struct Hypothesis {
   grammar::Action action;
   /// Groups of dials (indices into grammar::Dials) that were found equal and stay equal (6.5.3).

@@ -1,4 +1,5 @@
 // A drawn line to lines in the world: the candidates that project near it (Jesus 2018, 6.4.2).
+// Not responsible for what the line means: several readings are kept (hypothesis.h decides).
 #pragma once
 
 #include "base/error.h"

@@ -1,4 +1,5 @@
 // How straight any part of a path is, at constant cost per part (Jesus 2018, 6.9).
+// Not responsible for where parts begin and end (corner_search.h).
 #pragma once
 
 #include <vector>

@@ -38,6 +38,7 @@ struct LineMatch {
   double error = 0;  ///< (6.14), with each end's share damped by Cauchy's loss
 };
 
+/// How well edges explain all lines of a sketch.
 struct Match {
   std::vector<LineMatch> lines;
   double error = 0;  ///< (6.15): the sum over the lines; 0 for a perfect fit

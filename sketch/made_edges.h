@@ -1,4 +1,5 @@
 // The edges of an operation's products: what a drawn line can stand for.
+// Edges lie in the world and know nothing of views; line_match.h compares them with drawn lines.
 #pragma once
 
 #include <vector>

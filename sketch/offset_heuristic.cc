@@ -1,3 +1,4 @@
+// offset: lines parallel to the outline of a planar item (Jesus 2018, 6.5.2; errata 22).
 #include <algorithm>
 
 #include "grammar/operation.h"

@@ -86,6 +86,7 @@ struct RankingParameters {
   double hopeless_relative = 0.3;  ///< the same in shares of the mean drawn length
 };
 
+/// All of them; the default is what the program uses.
 struct SketchParameters {
   SegmentationParameters segmentation;
   PenNoise noise;

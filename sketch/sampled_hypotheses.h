@@ -1,4 +1,5 @@
 // Sampling for operations that no heuristic speaks for, and for all where none fits (6.5.5).
+// Not responsible for making the samples (candidates.h).
 #pragma once
 
 #include <vector>

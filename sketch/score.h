@@ -1,4 +1,5 @@
 // How well a projected candidate line fits a drawn one (Jesus 2018, 6.4.2).
+// Equations (6.12) and (6.13), with errata 17a and 20.
 #pragma once
 
 #include "base/math.h"

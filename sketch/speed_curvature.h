@@ -20,6 +20,7 @@ double TurnAt(const StrokePath& path, int at, int steps);
 /// Clamped as the parameters say; all 0 when the stroke took no time.
 std::vector<double> Slowness(const StrokePath& path, const SegmentationParameters& parameters);
 
+/// What speaks for a corner, for each point of a path.
 struct CornerEvidence {
   std::vector<double> near_turn;  ///< rad, in the near window
   std::vector<double> price;      ///< nats; what taking the point as a corner costs, < 0 if likely

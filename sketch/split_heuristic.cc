@@ -1,3 +1,4 @@
+// split and repeat: lines across an item, evenly spaced or not (Jesus 2018, 6.5.3; errata 21).
 #include <algorithm>
 #include <numeric>
 #include <optional>

@@ -15,6 +15,7 @@
 
 namespace parti::sketch {
 
+/// An operation that may be meant.
 struct Suggestion {
   grammar::Action action;    ///< symbols filled in with defaults that a person may change
   double error = 0;          ///< distance of drawn and projected line ends, per end [px], rms

@@ -1,4 +1,5 @@
 // Default names for what a suggested operation makes, for a person to change.
+// Words only: no name has a meaning to the program.
 #pragma once
 
 #include "grammar/action.h"

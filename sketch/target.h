@@ -12,6 +12,7 @@
 
 namespace parti::sketch {
 
+/// The numbers of choosing a target; prices as in RankingParameters.
 struct TargetParameters {
   /// Items compared in full, chosen by how near the drawn ends lie to their edges on the screen.
   int most_compared = 10;
@@ -21,6 +22,7 @@ struct TargetParameters {
   double lost_line = 20;  ///< price of a line that no operation on the item comes near [nat]
 };
 
+/// A shape that may be meant, and the sketch read on it.
 struct RankedTarget {
   size_t item = 0;        ///< index
   double score = 0;       ///< log evidence of its best suggestion, less prices [nat]

@@ -1,4 +1,5 @@
 // How much of an item others hide in a view.
+// By rays against flat facets: no picture is drawn for it.
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
 // The rows of the operation table, one file each; operation.cc puts them in order.
+// What a row is, and how callers find one, stands in operation.h.
 #pragma once
 
 #include "grammar/operation.h"

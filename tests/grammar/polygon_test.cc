@@ -89,6 +89,7 @@ TEST(PolygonFrom, WhatHasNoAreaIsRefused) {
 TEST(PolygonFrom, NumbersThatAreNotFiniteAreRefused) {
   EXPECT_EQ(ErrorOf({{Vec2(0, 0), Vec2(kNaN, 0), Vec2(1, 1)}}).code, ErrorCode::kBadNumber);
   EXPECT_EQ(ErrorOf({{Vec2(0, 0), Vec2(1, 0), Vec2(1, kInfinity)}}).code, ErrorCode::kBadNumber);
+  EXPECT_EQ(ErrorOf("-1e308,0 1e-312,-1e-241 0,1e308 1e214,-1e308").code, ErrorCode::kBadNumber);
 }
 
 TEST(PolygonFrom, MapCoordinatesAndHugeOnesWork) {

@@ -1,0 +1,92 @@
+#include "grammar/operation_manual.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "grammar/operation.h"
+
+namespace parti::grammar {
+namespace {
+
+std::string TypesText(ItemTypes types) {
+  std::vector<std::string_view> names;
+  for (const ItemType type : {ItemType::kPlanar, ItemType::kVolume}) {
+    if ((types & Types(type)) != 0) names.push_back(NameOf(type));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string RangeText(const Parameter& p) {
+  switch (p.kind) {
+    case ParameterKind::kLength:
+      return fmt::format("{:g} to {:g} m", p.low, p.high);
+    case ParameterKind::kAngle:
+      return fmt::format("{:g} to {:g} degrees", p.low, p.high);
+    case ParameterKind::kFactor:
+      return fmt::format("{:g} to {:g}", p.low, p.high);
+    case ParameterKind::kAxis:
+      return "x, y or z";
+    case ParameterKind::kText:
+      return "text in quotes";
+    case ParameterKind::kColor:
+      return "\"#rrggbb\"";
+    case ParameterKind::kWord:
+      return fmt::format("{}", fmt::join(p.words, ", "));
+  }
+  return "";
+}
+
+std::string DefaultText(const Argument& argument) {
+  if (const double* number = std::get_if<double>(&argument)) return fmt::format("{:g}", *number);
+  if (const Axis* axis = std::get_if<Axis>(&argument)) return std::string(NameOf(*axis));
+  if (const auto* text = std::get_if<std::string>(&argument)) return *text;
+  return std::get<bool>(argument) ? "true" : "false";
+}
+
+/// "split(axis) { size: Symbol | … }"
+std::string FormText(const Operation& row) {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : row.parameters) {
+    names.push_back(p.kind == ParameterKind::kWord ? p.words.front() : p.name);
+  }
+  const bool repeats = row.name == "repeat";  // written as a split (language.md)
+  std::string text = fmt::format("{}({})", repeats ? "split" : row.name, fmt::join(names, ", "));
+  if (row.braces == Braces::kSizes) text += " { size: Symbol | … }";
+  if (row.braces == Braces::kSelectors) text += " { selector: Symbol | … }";
+  if (row.braces == Braces::kNone && !row.in_place) text += " Symbol";
+  return repeats ? text + "*" : text;
+}
+
+std::string SectionText(const Operation& row) {
+  std::string text = fmt::format("## {}\n\n`{}`\n\n{}\n\n", row.name, FormText(row), row.doc);
+  text += "| argument | values | default | meaning |\n| --- | --- | --- | --- |\n";
+  for (const Parameter& p : row.parameters) {
+    text += fmt::format("| {} | {} | {} | {} |\n", p.name, RangeText(p),
+                        DefaultText(p.default_value), p.doc);
+  }
+  if (!row.selectors.empty()) {
+    std::vector<std::string_view> names;
+    for (const Selector::Kind kind : row.selectors) {
+      names.push_back(kind == Selector::Kind::kIndex ? "a face's number, from 0" : NameOf(kind));
+    }
+    text += fmt::format("\nSelectors: {}.\n", fmt::join(names, ", "));
+  }
+  text += row.in_place
+              ? fmt::format("\nChanges a {} in place; makes no child.", TypesText(row.takes))
+              : fmt::format("\nTakes {}; gives {}.", TypesText(row.takes), TypesText(row.gives));
+  return text + fmt::format(" In queries: `{}`. Source: {}.\n\n", row.word, row.source);
+}
+
+}  // namespace
+
+std::string OperationsManual() {
+  std::string text =
+      "# Operations\n\nWritten from the operation table by the tests; see [shapes.md](shapes.md) "
+      "for scopes, sizes and offsets in full.\n\n";
+  for (const Operation& row : Operations()) text += SectionText(row);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace parti::grammar

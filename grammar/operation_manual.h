@@ -1,0 +1,11 @@
+// The reference manual of the operations, written from the table: docs/operations.md.
+#pragma once
+
+#include <string>
+
+namespace parti::grammar {
+
+/// Markdown: one section per row, in the order of the table.
+std::string OperationsManual();
+
+}  // namespace parti::grammar
