@@ -61,9 +61,11 @@ struct AddNode {
 struct ClearSketch {
   bool operator==(const ClearSketch&) const = default;
 };
+/// "undo": takes back the last stroke or command.
 struct Undo {
   bool operator==(const Undo&) const = default;
 };
+/// "redo": does again what was taken back.
 struct Redo {
   bool operator==(const Redo&) const = default;
 };

@@ -19,6 +19,7 @@ struct Document {
   std::vector<std::string> history;
 };
 
+/// What is kept of a session.
 Document DocumentOf(const Session& session);
 
 /// Writes a whole document through a temporary file in the same folder: the old one or the new.

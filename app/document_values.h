@@ -1,4 +1,5 @@
 // Values of a document as text and bytes, losslessly: every double comes back as it was.
+// What a document is made of, and where it is kept, stands in document.h.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Footprints as files hold them: rings in metres east and north. No shapes yet, no local origin.
+// Footprints as files hold them: rings in metres east and north.
+// No shapes yet and no local origin: that is lot.h's.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 
 namespace parti::app {
 
+/// One outline on the ground, with its courtyards.
 struct Footprint {
   std::string name;
   std::vector<std::vector<Vec2>> rings;  ///< (east, north), m; the outline first, then holes

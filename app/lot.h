@@ -1,4 +1,5 @@
 // Lots: the ground that buildings begin on, from a text (LOT of docs/interfaces.md) or a file.
+// Reading files is footprint.h's; what stands on a lot is the rules'.
 #pragma once
 
 #include <string>

@@ -14,6 +14,7 @@ namespace parti::app {
 /// What a text is derived on when no lot is given.
 inline constexpr std::string_view kUsualLot = "rect(20,20)";
 
+/// What a text says, and the ground that it was told of.
 struct ModelFile {
   std::vector<Lot> lots;
   grammar::Trees trees;

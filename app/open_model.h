@@ -1,4 +1,5 @@
 // FILE of the command line: a document, or a text of rules with its lot, made into a model.
+// Not responsible for reading either (document.h, model_file.h).
 #pragma once
 
 #include <CLI/App.hpp>
@@ -19,6 +20,7 @@ struct ModelOptions {
 /// Adds FILE and --lot to a command.
 void AddModelOptions(CLI::App* command, ModelOptions* options);
 
+/// A model, and how it was last looked at.
 struct OpenedModel {
   Model model;
   std::optional<Camera> view;  ///< that a document was saved with

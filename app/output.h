@@ -1,4 +1,5 @@
 // Files that a model is written to, by the ending of their name.
+// Each format has its own writer (export_glb.h, export_obj.h); this only chooses.
 #pragma once
 
 #include <optional>

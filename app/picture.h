@@ -1,4 +1,5 @@
 // Pictures of a session: the building, the sketch on it and what the sketch may mean.
+// How scenes are made and drawn is scene_from_model.h's and render/'s.
 #pragma once
 
 #include <memory>

@@ -10,6 +10,7 @@
 
 namespace parti::app {
 
+/// How a replay went; and a way to look on.
 struct ReplayReport {
   size_t strokes = 0;         ///< that reached the session
   size_t segments = 0;        ///< straight or curved pieces of them

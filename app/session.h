@@ -9,6 +9,8 @@
 
 namespace parti::app {
 
+/// The one place where state changes. Not thread-safe; states that were handed out stay as they
+/// are.
 class Session {
  public:
   explicit Session(sketch::SketchParameters parameters = {});

@@ -39,6 +39,7 @@ Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees);
 /// The same lots under other rules; nodes that did not change are not run again. errors as BuiltOn.
 Result<Model> WithTrees(const Model& model, grammar::Trees trees);
 
+/// One shape of one lot.
 struct ShapeRef {
   size_t lot = 0;
   grammar::ShapeIndex shape = 0;
@@ -51,6 +52,7 @@ std::string IdOf(const Model& model, const ShapeRef& ref);
 /// Leaves of all lots: what is visible, in a fixed order.
 std::vector<ShapeRef> VisibleShapes(const Model& model);
 
+/// ref is one of the model's.
 const grammar::Shape& ShapeAt(const Model& model, const ShapeRef& ref);
 
 /// The strokes that no suggestion has been picked for yet, and what they may mean.
@@ -75,6 +77,7 @@ struct Step {
   std::string chosen;               ///< as it was when picked
 };
 
+/// Everything that undo brings back.
 struct SessionState {
   Camera camera;
   Model model;

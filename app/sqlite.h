@@ -1,4 +1,5 @@
 // The few calls of SQLite that documents need, with Results instead of codes.
+// Knows nothing of what a document holds (document.h).
 #pragma once
 
 #include <memory>
@@ -17,6 +18,7 @@ class Database;
 /// A prepared statement. Values are bound from 1, columns read from 0.
 class Statement {
  public:
+  /// Puts a value into place `index`; a failure shows when the statement runs.
   Statement& Bind(int index, std::string_view text);
   Statement& Bind(int index, double value);
   Statement& Bind(int index, int64_t value);
@@ -42,12 +44,14 @@ class Statement {
   const Database* database_ = nullptr;
 };
 
+/// An open database file; closed when this goes.
 class Database {
  public:
   enum class Mode { kRead, kCreate };
   /// errors  kFile  it can't be opened or made;  kDamagedFile  not a database.
   static Result<Database> Open(const std::string& path, Mode mode);
 
+  /// Runs, or readies, statements of SQL. errors  as Statement::Step.
   Result<void> Execute(const std::string& sql);
   Result<Statement> Prepare(std::string_view sql);
 

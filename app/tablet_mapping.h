@@ -10,11 +10,13 @@
 
 namespace parti::app {
 
+/// One device in one view.
 class TabletMapping {
  public:
   /// size_mm > 0. A device that does not say its size is taken for kUsualSize_mm.
   TabletMapping(const DeviceFacts& device, const Camera& camera);
 
+  /// Each undoes the other.
   Vec2 ToView_px(const Vec2& tablet_mm) const;
   Vec2 ToTablet_mm(const Vec2& view_px) const;
   double px_per_mm() const { return px_per_mm_; }

@@ -1,4 +1,5 @@
 // The reference manual of the operations, written from the table: docs/operations.md.
+// Nobody edits that file: a test compares it with this.
 #pragma once
 
 #include <string>

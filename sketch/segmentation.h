@@ -11,8 +11,10 @@
 
 namespace parti::sketch {
 
+/// What a part of a stroke was meant to be.
 enum class SegmentKind { kLine, kCurve };
 
+/// A part of a stroke between two corners.
 struct StrokeSegment {
   int from = 0;  ///< sample index
   int to = 0;    ///< sample index, > from
@@ -21,6 +23,7 @@ struct StrokeSegment {
   bool operator==(const StrokeSegment&) const = default;
 };
 
+/// A stroke cut at its corners.
 struct Segmentation {
   std::vector<int> corners;             ///< sample indices, first and last sample included
   std::vector<StrokeSegment> segments;  ///< between consecutive corners, at least one

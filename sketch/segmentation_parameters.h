@@ -1,4 +1,5 @@
 // Every number of stroke segmentation, for all of its stages (Jesus 2018, 6.3; errata 16, 20).
+// Later stages have theirs in parameters.h.
 #pragma once
 
 namespace parti::sketch {

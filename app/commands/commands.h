@@ -1,4 +1,5 @@
 // The command line: one file per command, all registered here.
+// A command reads its options, calls one function and prints what it gives; the work is elsewhere.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -17,6 +18,7 @@ using Run = std::function<int()>;
 /// Prints an error to standard error in the house's form; returns kFailed.
 int Report(const Error& error);
 
+/// Each adds its command to the command line; when it is chosen, *run is set.
 void AddSegmentCommand(CLI::App& app, Run* run);
 void AddSuggestCommand(CLI::App& app, Run* run);
 void AddDevicesCommand(CLI::App& app, Run* run);
