@@ -38,7 +38,12 @@ std::vector<double> AgreedValues(const std::vector<std::vector<ValueReading>>& l
   if (std::any_of(lines.begin(), lines.end(), [](const auto& l) { return l.empty(); })) return {};
   std::vector<Agreed> found;
   for (const auto& seeds : lines) {
-    for (const ValueReading& seed : seeds) found.push_back(AgreeAround(seed.value, lines, scale));
+    for (const ValueReading& seed : seeds) {
+      const Agreed mean = AgreeAround(seed.value, lines, scale);
+      found.push_back(mean);
+      // A line that agrees with no other must not spoil the others' value.
+      if (std::abs(mean.value - seed.value) > scale) found.push_back({seed.value, mean.cost});
+    }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Agreed& a, const Agreed& b) { return a.cost < b.cost; });

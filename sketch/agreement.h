@@ -13,9 +13,9 @@ struct ValueReading {
 };
 
 /// Means over the lines, one reading of each, that agree best; best first, at most `most`, no two
-/// alike. Nothing where a line has no reading: then the operation is not feasible.
-/// scale  the difference that counts as much as a fitness of 1/e; > 0.
-/// Cost: quadratic in the number of readings.
+/// alike. Where a reading is off its mean by more than `scale`, its own value counts too. Nothing
+/// where a line has no reading: then the operation is not feasible. scale  the difference that
+/// counts as much as a fitness of 1/e; > 0. Cost: quadratic in the number of readings.
 std::vector<double> AgreedValues(const std::vector<std::vector<ValueReading>>& lines, double scale,
                                  int most);
 

@@ -36,13 +36,13 @@ std::vector<Family> FamiliesOf(const grammar::Operation& operation, const gramma
   return families;
 }
 
-void AddSample(grammar::Action action, int family, const grammar::Item& item, const View& view,
+void AddSample(grammar::Action action, int family, const MadeEdges& made, const View& view,
                Candidates* candidates) {
-  const auto made = AllEdges(action, item);
-  if (!made || made->empty()) return;  // this length does not fit this item
+  const auto edges = made.Of(action);
+  if (!edges || edges->empty()) return;  // this length does not fit this item
   Sample sample{std::move(action), family, static_cast<uint32_t>(candidates->edges.size()),
-                static_cast<uint32_t>(made->size())};
-  for (const Segment3& edge : *made) {
+                static_cast<uint32_t>(edges->size())};
+  for (const Segment3& edge : *edges) {
     candidates->edges.push_back(edge);
     candidates->screen.push_back(view.Project(edge));
   }
@@ -78,12 +78,13 @@ Result<Candidates> CandidatesOf(const grammar::Item& item, const View& view,
   const auto lengths = SampleLengths(item, view, parameters);
   if (!lengths) return Fail(lengths);
   Candidates candidates;
+  const MadeEdges made(item);
   int family = 0;
   for (const grammar::Operation& operation : grammar::Operations()) {
     if (!(operation.takes & grammar::Types(item.type))) continue;
     for (Family& f : FamiliesOf(operation, item, *lengths)) {
       for (grammar::Action& action : f.actions) {
-        AddSample(std::move(action), family, item, view, &candidates);
+        AddSample(std::move(action), family, made, view, &candidates);
       }
       ++family;
     }

@@ -13,8 +13,9 @@
 
 namespace parti::sketch {
 
-/// One action and its edges. A family is one operation with the same words (axis, selectors) and
-/// the same direction; within a family samples lie in order of their length.
+/// One action and the edges that it makes (MadeEdges): an edge that the item has anyhow tells
+/// operations apart no better than no line at all. A family is one operation with the same words
+/// (axis, selectors) and the same direction; within a family samples lie in order of their length.
 struct Sample {
   grammar::Action action;
   int family = 0;

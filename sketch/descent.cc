@@ -21,7 +21,6 @@ struct Problem {
   const MadeEdges* made;
   const SketchedLines* lines;
   DescentParameters parameters;
-  double spacing_px;
   std::vector<Unknown> unknowns;
 };
 
@@ -64,8 +63,7 @@ grammar::Action With(grammar::Action action, const Unknown& unknown, double valu
 Result<Match> MatchOf(const grammar::Action& action, const Problem& problem) {
   const auto edges = problem.made->Of(action);
   if (!edges) return Fail(edges);
-  return MatchLines(*problem.lines, *edges, problem.parameters.outlier_deviations,
-                    problem.spacing_px);
+  return MatchLines(*problem.lines, *edges, problem.parameters.outlier_deviations);
 }
 
 // Distances of all ends as one vector, in expected deviations, outliers weighing less.
@@ -78,8 +76,7 @@ Residuals ResidualsOf(const Match& match, const Problem& problem) {
   Residuals r;
   const double c2 = problem.parameters.outlier_deviations * problem.parameters.outlier_deviations;
   for (size_t i = 0; i < match.lines.size(); ++i) {
-    const double d = problem.lines->lines()[i].deviation_px;
-    const double deviation = std::sqrt(d * d + problem.spacing_px * problem.spacing_px);
+    const double deviation = problem.lines->lines()[i].deviation_px;
     for (const Vec2& off : {match.lines[i].off_a / deviation, match.lines[i].off_b / deviation}) {
       const double weight = 1 / (1 + glm::dot(off, off) / c2);
       r.values.insert(r.values.end(), {off.x, off.y});
@@ -169,18 +166,11 @@ bool SearchAlong(const std::vector<double>& step, const Problem& problem, Adjust
   return false;
 }
 
-double SpacingOf(const Hypothesis& hypothesis, const SketchedLines& lines, double share) {
-  if (!hypothesis.spaced_along || lines.views().empty()) return 0;
-  const auto screen = lines.views().front().Project(*hypothesis.spaced_along);
-  return screen ? share * glm::distance(screen->a, screen->b) : 0;
-}
-
 }  // namespace
 
 Result<Adjusted> Adjust(const Hypothesis& hypothesis, const MadeEdges& made,
                         const SketchedLines& lines, const SketchParameters& parameters) {
   const Problem problem{&made, &lines, parameters.descent,
-                        SpacingOf(hypothesis, lines, parameters.ranking.equal_spacing),
                         UnknownsOf(hypothesis, made.diagonal_m())};
   auto first = MatchOf(hypothesis.action, problem);
   if (!first) return Fail(first);

@@ -18,9 +18,8 @@ double DampedProduct(const Vec2& off_a, const Vec2& off_b, double scale) {
 }
 
 LineMatch BestEdge(const SketchedLines::Line& line,
-                   const std::vector<std::optional<Segment2>>& screen, double outlier,
-                   double spacing_px) {
-  const double variance = line.deviation_px * line.deviation_px + spacing_px * spacing_px;
+                   const std::vector<std::optional<Segment2>>& screen, double outlier) {
+  const double variance = line.deviation_px * line.deviation_px;
   const double c = outlier * outlier;
   LineMatch best;
   double least = (1 + kUnseen * kUnseen / c) * (1 + kUnseen * kUnseen / c);
@@ -57,8 +56,14 @@ double DampedError(double squared_deviations, double outlier) {
   return c * std::log1p(squared_deviations / c);
 }
 
-Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges, double outlier,
-                 double spacing_px) {
+double LineError(const Vec2& off_a, const Vec2& off_b, const SketchedLines::Line& line,
+                 double outlier) {
+  const double variance = line.deviation_px * line.deviation_px;
+  return DampedError(Squared(off_a) / variance, outlier) +
+         DampedError(Squared(off_b) / variance, outlier);
+}
+
+Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges, double outlier) {
   std::vector<std::vector<std::optional<Segment2>>> screens;
   for (const View& view : lines.views()) {
     auto& screen = screens.emplace_back();
@@ -68,7 +73,7 @@ Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges,
   Match match;
   for (const SketchedLines::Line& line : lines.lines()) {
     const auto& screen = screens[static_cast<size_t>(line.view)];
-    match.lines.push_back(BestEdge(line, screen, outlier, spacing_px));
+    match.lines.push_back(BestEdge(line, screen, outlier));
     match.error += match.lines.back().error;
   }
   return match;

@@ -48,10 +48,12 @@ struct Match {
 /// its logarithm beyond `outlier`; monotonic, as (6.14) has to be.
 double DampedError(double squared_deviations, double outlier);
 
+/// (6.14) for ends that are this far off [px].
+double LineError(const Vec2& off_a, const Vec2& off_b, const SketchedLines::Line& line,
+                 double outlier);
+
 /// For every line the edge that minimises (6.14), over both orientations (errata 19).
-/// spacing  what is added to the deviation of each line, px (RankingParameters::equal_spacing).
-Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges, double outlier,
-                 double spacing_px = 0);
+Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges, double outlier);
 
 /// Root of the mean squared distance of ends [px].
 double MeanEndDistance_px(const Match& match);

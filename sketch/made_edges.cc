@@ -43,7 +43,11 @@ Result<std::vector<Segment3>> AllEdges(const grammar::Action& action, const gram
     const std::vector<Segment3> some = grammar::EdgesOf(product.item);
     edges.insert(edges.end(), some.begin(), some.end());
   }
-  return edges;
+  // One product of the same make-up is the item again: a repeat that fits once.
+  const bool changed =
+      products->size() > 1 || (products->size() == 1 && products->front().item.type != item.type);
+  if (changed || edges.size() != grammar::EdgesOf(item).size()) return edges;
+  return Fail(ErrorCode::kNothingMade, "the operation leaves the shape as it is");
 }
 
 MadeEdges::MadeEdges(const grammar::Item& item)

@@ -12,7 +12,7 @@
 namespace parti::sketch {
 
 /// Edges of all products, in the order of creation; those shared by two products come twice.
-/// errors  those of grammar::Apply.
+/// errors  those of grammar::Apply;  kNothingMade  the product is the item as it was.
 Result<std::vector<Segment3>> AllEdges(const grammar::Action& action, const grammar::Item& item);
 
 /// What an operation is recognised by: the edges of its products that do not lie on edges of the
@@ -21,7 +21,7 @@ class MadeEdges {
  public:
   explicit MadeEdges(const grammar::Item& item);
 
-  /// errors  those of grammar::Apply.
+  /// errors  those of AllEdges.
   Result<std::vector<Segment3>> Of(const grammar::Action& action, bool distinct = false) const;
 
   double diagonal_m() const { return diagonal_m_; }

@@ -2,6 +2,8 @@
 // "dev strokes" are the tasks that SketchBench makes of unistrokes-dev with seeds 2 to 9.
 #pragma once
 
+#include <array>
+
 #include "sketch/segmentation.h"
 
 namespace parti::sketch {
@@ -15,18 +17,28 @@ struct PenNoise {
   double Deviation_px(double length_px) const { return floor_px + relative * length_px; }
 };
 
-/// Which parts of a segmented stroke are lines.
+/// Which parts of a stroke are lines, and in how many ways it may be read.
 struct LineParameters {
-  /// A segment that bows further from its chord than this share of it is a curve. Origin: a human
-  /// line bows by up to 0.1, a half circle by 0.5.
-  double greatest_bow = 0.25;
+  /// A part that bows further from its chord than this share of it is a curve; a half circle bows
+  /// by 0.5.
+  double greatest_bow = 0.3;
+  /// The whole stroke may be one line up to this bow. Origin: dev strokes, where hooks at the ends
+  /// of straight strokes make 0.2 and more.
+  double greatest_bow_of_line = 0.45;
   /// Neighbours are one line where their joint bow is below this. Origin: dev strokes.
   double joint_bow = 0.05;
-  /// A segment shorter than this share of its stroke's longest is a hook of the pen.
+  /// A part shorter than this share of its stroke's longest is a hook of the pen.
   double hook = 0.07;
   /// A stroke is closed, and its last corner its first, when its ends are nearer to each other than
-  /// this share of the shorter of the segments that meet there.
+  /// this share of the shorter of the parts that meet there.
   double closing_gap = 0.35;
+  /// Taking the whole stroke as one line costs this for each share that it bows [nat].
+  double bow_price = 20;
+  /// Tolerances of the polygons, in diagonals of the stroke. Origin: Douglas and Peucker's method
+  /// finds most corners of real strokes at 0.07 to 0.12 (segmentation benchmark).
+  std::array<double, 2> polygon_tolerances = {0.11, 0.07};
+  double polygon_price = 4;     ///< of such a polygon against the segmentation [nat]
+  int most_polygon_lines = 12;  ///< more lines than that are a scribble
 };
 
 /// Sampling the operation table (6.10, 6.11, errata 17, 17a).
@@ -49,6 +61,12 @@ struct LiftParameters {
   double radius_relative = 0.03;
   /// Candidates fitting worse than this are none: both ends two radii off.
   double least_fitness = 3e-4;
+  /// What a line near a candidate is worth against no line at all [nat]: the log of how unlikely
+  /// two random points are to come as near as a pen to one of some hundred candidates.
+  double line_worth = 12;
+  /// Strokes of which a second reading is worth nearly as much are tried with both [nat], and
+  double near_reading = 12;
+  int most_sketch_readings = 5;  ///< at most this many readings of the whole sketch are judged.
   /// Readings kept for each operation: the same line may be a riser or a parallel, at either depth.
   int most_per_operation = 6;
 };
@@ -60,12 +78,12 @@ struct HeuristicParameters {
   double plane_relative = 0.02;    ///< lines this near along the axis are one split plane
   double equal_relative = 0.05;    ///< sizes this alike may be meant equal; of the whole (6.5.3)
   double repeat_deviation = 0.35;  ///< deviation / mean of sizes that may be a repeat (errata 21)
-  int most_starts = 3;             ///< values tried where readings of the lines disagree
+  int most_starts = 4;             ///< values tried where readings of the lines disagree
   // Prices of rarer meanings, in nats (Hypothesis::price).
   double inward_extrude = 2;   ///< an extrusion into the item
   double outward_offset = 2;   ///< an offset out of the item
   double repeat_is_meant = 2;  ///< a split into three equal parts and more
-  double repeat_of_two = 3;    ///< a repeat shown by a single line
+  double repeat_of_two = 6;    ///< a repeat shown by a single line
   double alike_faces = 0.1;    ///< comp with all faces alike against side and top
 };
 
@@ -80,8 +98,11 @@ struct DescentParameters {
 
 /// Weighing operations against each other (docs/inference.md, Ranking). In nats.
 struct RankingParameters {
-  double sampled = 3;              ///< price of being found by sampling where heuristics have a say
-  double equal_spacing = 0.01;     ///< equal parts are drawn equal to this share of the whole
+  double sampled = 3;            ///< price of being found by sampling where heuristics have a say
+  double equal_spacing = 0.007;  ///< equal parts are drawn equal to this share of the whole
+  /// Another value of the same operation is offered too when it differs by this share of the item,
+  double distinct_relative = 0.1;
+  double distinct_nats = 25;       ///< and its evidence by no more than this.
   double hopeless_px = 60;         ///< a mean distance beyond which nothing is suggested, and
   double hopeless_relative = 0.3;  ///< the same in shares of the mean drawn length
 };

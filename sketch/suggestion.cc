@@ -1,13 +1,14 @@
 #include "sketch/suggestion.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <optional>
 
 #include "sketch/candidates.h"
 #include "sketch/descent.h"
-#include "sketch/drawn_lines.h"
 #include "sketch/heuristics.h"
-#include "sketch/lift.h"
+#include "sketch/lift_stroke.h"
 #include "sketch/ranking.h"
 #include "sketch/sampled_hypotheses.h"
 #include "sketch/symbols.h"
@@ -28,26 +29,44 @@ struct Sketch {
   const SketchParameters* parameters;
 };
 
-std::vector<Hypothesis> ProposedByHeuristics(const Sketch& sketch) {
+std::vector<Hypothesis> ProposedByHeuristics(const Configuration& configuration,
+                                             const Sketch& sketch) {
   std::vector<Hypothesis> all;
   for (const Heuristic& heuristic : Heuristics()) {
-    for (Hypothesis& hypothesis :
-         heuristic.propose(*sketch.configuration, *sketch.item, sketch.parameters->heuristics)) {
-      all.push_back(std::move(hypothesis));
+    std::ranges::move(heuristic.propose(configuration, *sketch.item, sketch.parameters->heuristics),
+                      std::back_inserter(all));
+  }
+  return all;
+}
+
+// What the heuristics make of all lines but one: a slip of the pen must not cost the rest.
+std::vector<Hypothesis> ProposedWithoutOneLine(const Sketch& sketch) {
+  std::vector<Hypothesis> all;
+  const std::vector<WorldLine>& lines = sketch.configuration->lines;
+  if (lines.size() < 2) return all;
+  for (size_t left_out = 0; left_out < lines.size(); ++left_out) {
+    Configuration others;
+    for (size_t i = 0; i < lines.size(); ++i) {
+      if (i != left_out) others.lines.push_back(lines[i]);
     }
+    std::ranges::move(ProposedByHeuristics(others, sketch), std::back_inserter(all));
   }
   return all;
 }
 
 std::optional<Suggestion> Judge(const Hypothesis& hypothesis, const Sketch& sketch) {
   auto adjusted = Adjust(hypothesis, sketch.made, sketch.lines, *sketch.parameters);
-  if (!adjusted || IsHopeless(*adjusted, sketch.lines, sketch.parameters->ranking)) {
+  if (!adjusted || IsHopeless(*adjusted, sketch.lines, sketch.parameters->ranking) ||
+      HasSliver(adjusted->hypothesis.action, *sketch.item,
+                sketch.parameters->heuristics.plane_relative)) {
     return std::nullopt;
   }
   const auto edges = sketch.made.Of(adjusted->hypothesis.action, /*distinct=*/true);
   Suggestion suggestion;
   suggestion.error = MeanEndDistance_px(adjusted->match);
-  suggestion.score = LogEvidence(*adjusted, edges ? edges->size() : 1);
+  suggestion.score = LogEvidence(*adjusted, edges ? edges->size() : 1) +
+                     SpacingCredit(*adjusted, sketch.lines, sketch.parameters->ranking,
+                                   sketch.parameters->descent.outlier_deviations);
   suggestion.by_heuristic = hypothesis.by_heuristic;
   suggestion.action = std::move(adjusted->hypothesis.action);
   NameProducts(*sketch.item, hypothesis.equal, &suggestion.action);
@@ -69,7 +88,8 @@ Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
                       MadeEdges(item), SketchedLines(configuration, parameters.noise),
                       &candidates,     &parameters};
   std::vector<Suggestion> suggestions;
-  JudgeAll(ProposedByHeuristics(sketch), sketch, &suggestions);
+  JudgeAll(ProposedByHeuristics(configuration, sketch), sketch, &suggestions);
+  if (suggestions.empty()) JudgeAll(ProposedWithoutOneLine(sketch), sketch, &suggestions);
   const bool all = suggestions.empty();
   JudgeAll(
       SampledHypotheses(sketch.lines, candidates, all, parameters.most_suggestions, parameters),
@@ -77,7 +97,7 @@ Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
   if (suggestions.empty()) {
     return Fail(ErrorCode::kNoFit, "no operation makes edges like the drawn lines", kDrawEdges);
   }
-  return Ranked(std::move(suggestions), parameters.most_suggestions);
+  return Ranked(std::move(suggestions), sketch.made.diagonal_m(), parameters);
 }
 
 Result<void> CheckItem(const grammar::Item& item) {
@@ -89,20 +109,64 @@ Result<void> CheckItem(const grammar::Item& item) {
               "draw on a shape that has an area");
 }
 
-// The lines that could be lifted. errors  kNoFit  none could.
-Result<SketchReading> LiftLines(const std::vector<Segment2>& drawn, const Candidates& candidates,
-                                const Camera& camera, const LiftParameters& parameters) {
-  SketchReading reading;
-  for (const Segment2& line : drawn) {
-    auto lifted = Lift(line, candidates, camera, parameters);
+using LiftedStrokes = std::vector<std::vector<LiftedStroke>>;
+
+// Every stroke's readings in the world; strokes that find no candidate are counted as lost.
+// errors  kNoFit  none finds any.
+Result<LiftedStrokes> LiftAll(const std::vector<std::vector<StrokeReading>>& strokes,
+                              const Candidates& candidates, const Camera& camera,
+                              const SketchParameters& parameters, int* lost) {
+  LiftedStrokes all;
+  Error last{ErrorCode::kTooShort, kNoLine, kDrawEdges};
+  for (const std::vector<StrokeReading>& stroke : strokes) {
+    auto lifted = LiftReadings(stroke, candidates, camera, parameters);
     if (lifted) {
-      reading.configuration.lines.push_back(std::move(*lifted));
-      continue;
+      all.push_back(std::move(*lifted));
+    } else {
+      last = lifted.error();
+      ++*lost;
     }
-    ++reading.lost_lines;
-    if (reading.lost_lines == static_cast<int>(drawn.size())) return Fail(lifted);
   }
-  if (drawn.empty()) return Fail(ErrorCode::kTooShort, kNoLine, kDrawEdges);
+  if (all.empty()) return tl::unexpected<Error>(last);
+  return all;
+}
+
+// Which reading of each stroke: the best of all, and for every stroke whose second reading is worth
+// nearly as much the same with that one, the nearest first.
+std::vector<std::vector<size_t>> Choices(const LiftedStrokes& strokes,
+                                         const LiftParameters& parameters) {
+  struct Swap {
+    double behind;
+    size_t stroke, reading;
+  };
+  std::vector<Swap> swaps;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    for (size_t j = 1; j < strokes[i].size(); ++j) {
+      const double behind = strokes[i][0].worth - strokes[i][j].worth;
+      if (behind <= parameters.near_reading) swaps.push_back({behind, i, j});
+    }
+  }
+  std::ranges::stable_sort(swaps, std::less<>(), &Swap::behind);
+  std::vector<std::vector<size_t>> choices = {std::vector<size_t>(strokes.size(), 0)};
+  for (const Swap& swap : swaps) {
+    if (static_cast<int>(choices.size()) == parameters.most_sketch_readings) break;
+    choices.push_back(choices.front());
+    choices.back()[swap.stroke] = swap.reading;
+  }
+  return choices;
+}
+
+SketchReading Chosen(const LiftedStrokes& strokes, const std::vector<size_t>& choice, int lost,
+                     const LiftParameters& parameters) {
+  SketchReading reading;
+  reading.lost_lines = lost;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const LiftedStroke& stroke = strokes[i][choice[i]];
+    std::ranges::copy(stroke.lines, std::back_inserter(reading.configuration.lines));
+    reading.lost_lines += stroke.lost_lines;
+    reading.worth += parameters.line_worth * static_cast<double>(stroke.lines.size());
+    reading.worth -= stroke.price;
+  }
   return reading;
 }
 
@@ -120,11 +184,11 @@ Result<std::vector<WorldLine>> LiftStroke(const Stroke& stroke, const grammar::I
                                           const SketchParameters& parameters) {
   const auto candidates = CandidatesFor(item, camera, parameters);
   if (!candidates) return Fail(candidates);
-  const auto drawn = DrawnLines(stroke, parameters.segmentation, parameters.lines);
-  if (!drawn) return Fail(drawn);
-  auto lifted = LiftLines(*drawn, *candidates, camera, parameters.lift);
+  const auto readings = ReadStroke(stroke, parameters.segmentation, parameters.lines);
+  if (!readings) return Fail(readings);
+  auto lifted = LiftReadings(*readings, *candidates, camera, parameters);
   if (!lifted) return Fail(lifted);
-  return std::move(lifted->configuration.lines);
+  return std::move(lifted->front().lines);
 }
 
 Result<std::vector<Suggestion>> Suggest(const Configuration& configuration,
@@ -136,24 +200,35 @@ Result<std::vector<Suggestion>> Suggest(const Configuration& configuration,
   return SuggestWith(configuration, item, *candidates, parameters);
 }
 
-Result<SketchReading> ReadSketch(const std::vector<Segment2>& drawn, const grammar::Item& item,
-                                 const Camera& camera, const SketchParameters& parameters) {
+Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& strokes,
+                                 const grammar::Item& item, const Camera& camera,
+                                 const SketchParameters& parameters) {
   const auto candidates = CandidatesFor(item, camera, parameters);
   if (!candidates) return Fail(candidates);
-  auto reading = LiftLines(drawn, *candidates, camera, parameters.lift);
-  if (!reading) return Fail(reading);
-  auto suggestions = SuggestWith(reading->configuration, item, *candidates, parameters);
-  if (!suggestions) return Fail(suggestions);
-  reading->suggestions = std::move(*suggestions);
-  return reading;
+  int lost = 0;
+  const auto lifted = LiftAll(strokes, *candidates, camera, parameters, &lost);
+  if (!lifted) return Fail(lifted);
+  Result<SketchReading> best = Fail(ErrorCode::kNoFit, "the sketch has no reading");
+  for (const std::vector<size_t>& choice : Choices(*lifted, parameters.lift)) {
+    SketchReading reading = Chosen(*lifted, choice, lost, parameters.lift);
+    auto suggestions = SuggestWith(reading.configuration, item, *candidates, parameters);
+    if (!suggestions) {
+      if (!best) best = Fail(suggestions);
+      continue;
+    }
+    reading.worth += suggestions->front().score;
+    reading.suggestions = std::move(*suggestions);
+    if (!best || reading.worth > best->worth) best = std::move(reading);
+  }
+  return best;
 }
 
 Result<std::vector<Suggestion>> SuggestFromStrokes(const std::vector<Stroke>& strokes,
                                                    const grammar::Item& item, const Camera& camera,
                                                    const SketchParameters& parameters) {
-  const auto drawn = DrawnLines(strokes, parameters.segmentation, parameters.lines);
-  if (!drawn) return Fail(drawn);
-  auto reading = ReadSketch(*drawn, item, camera, parameters);
+  const auto readings = ReadStrokes(strokes, parameters.segmentation, parameters.lines);
+  if (!readings) return Fail(readings);
+  auto reading = ReadSketch(*readings, item, camera, parameters);
   if (!reading) return Fail(reading);
   return std::move(reading->suggestions);
 }

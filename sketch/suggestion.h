@@ -12,6 +12,7 @@
 #include "grammar/item.h"
 #include "sketch/configuration.h"
 #include "sketch/parameters.h"
+#include "sketch/stroke_reading.h"
 
 namespace parti::sketch {
 
@@ -50,14 +51,16 @@ Result<std::vector<Suggestion>> SuggestFromStrokes(const std::vector<Stroke>& st
 struct SketchReading {
   Configuration configuration;          ///< the lines that could be lifted
   int lost_lines = 0;                   ///< drawn lines near which nothing can be made
+  double worth = 0;                     ///< log evidence of the best against no meaning [nat]
   std::vector<Suggestion> suggestions;  ///< n >= 1, best first
 };
 
-/// As SuggestFromStrokes, for lines that are already told apart (DrawnLines), with all that is
-/// known: for choosing between items.
+/// As SuggestFromStrokes, for strokes that ReadStrokes has read, with all that is known: for
+/// choosing between items.
 /// errors  those of LiftStroke and Suggest.
-Result<SketchReading> ReadSketch(const std::vector<Segment2>& drawn, const grammar::Item& item,
-                                 const Camera& camera, const SketchParameters& parameters = {});
+Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& strokes,
+                                 const grammar::Item& item, const Camera& camera,
+                                 const SketchParameters& parameters = {});
 
 /// The configuration with every line moved onto the edge of `action` that it stands for, so that
 /// all of them agree: what to show once a suggestion is preferred. Lines that no edge is near keep

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sketch/drawn_lines.h"
+#include "sketch/stroke_reading.h"
 #include "sketch/visibility.h"
 
 namespace parti::sketch {
@@ -99,6 +99,15 @@ std::vector<Nearness> Shortlist(const std::vector<Segment2>& drawn,
   return list;
 }
 
+std::vector<Segment2> LikeliestLines(const std::vector<std::vector<StrokeReading>>& strokes) {
+  std::vector<Segment2> lines;
+  for (const std::vector<StrokeReading>& stroke : strokes) {
+    const std::vector<Segment2>& some = stroke.front().lines;
+    lines.insert(lines.end(), some.begin(), some.end());
+  }
+  return lines;
+}
+
 }  // namespace
 
 Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes,
@@ -107,22 +116,23 @@ Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes
                                               const SketchParameters& parameters,
                                               const TargetParameters& target) {
   if (const auto fine = Validate(camera); !fine) return tl::unexpected<Error>(fine.error());
-  const auto drawn = DrawnLines(strokes, parameters.segmentation, parameters.lines);
-  if (!drawn) return Fail(drawn);
+  const auto readings = ReadStrokes(strokes, parameters.segmentation, parameters.lines);
+  if (!readings) return Fail(readings);
+  const std::vector<Segment2> drawn = LikeliestLines(*readings);
   const View view(camera);
-  const std::vector<size_t> near = ItemsNear(*drawn, items, view, target.reach_px);
+  const std::vector<size_t> near = ItemsNear(drawn, items, view, target.reach_px);
   const std::vector<Facet> facets = FacetsOf(items, near);
   std::vector<RankedTarget> ranked;
   int compared = 0;
-  for (const Nearness& candidate : Shortlist(*drawn, items, near, view, target)) {
+  for (const Nearness& candidate : Shortlist(drawn, items, near, view, target)) {
     if (compared == target.most_compared) break;
     const double hidden = HiddenShare(candidate.item, facets, view);
     if (hidden >= 1) continue;
     ++compared;
-    auto reading = ReadSketch(*drawn, items[candidate.item], camera, parameters);
+    auto reading = ReadSketch(*readings, items[candidate.item], camera, parameters);
     if (!reading) continue;
-    const double score = reading->suggestions.front().score - target.hidden * hidden -
-                         target.lost_line * reading->lost_lines;
+    const double score =
+        reading->worth - target.hidden * hidden - target.lost_line * reading->lost_lines;
     ranked.push_back({candidate.item, score, hidden, std::move(*reading)});
   }
   if (ranked.empty()) {

@@ -25,7 +25,7 @@ struct TargetParameters {
 /// A shape that may be meant, and the sketch read on it.
 struct RankedTarget {
   size_t item = 0;        ///< index
-  double score = 0;       ///< log evidence of its best suggestion, less prices [nat]
+  double score = 0;       ///< the reading's worth, less prices [nat]
   double hidden = 0;      ///< share of it that others hide, [0, 1]
   SketchReading reading;  ///< on this item
 };
