@@ -39,7 +39,11 @@ TEST(Batch, ABadLineIsAnsweredInItsPlaceAndCostsNoOther) {
 TEST(Batch, ALineThatIsNotJsonNamesItsPlace) {
   const std::string answer = Answers("\n{\"id\":1,\"n\":oops}\n");
   EXPECT_THAT(answer, testing::StartsWith("{\"id\":null,\"error\":\"line 2, column 1"));
-  EXPECT_THAT(answer, testing::HasSubstr("NaN is not a finite number"));
+  EXPECT_THAT(answer, testing::HasSubstr("not JSON"));
+}
+
+TEST(Batch, ANumberThatIsNotFiniteIsCalledSo) {
+  EXPECT_THAT(Answers("{\"id\":1,\"n\":NaN}"), testing::HasSubstr("NaN is not a finite number"));
 }
 
 TEST(Batch, WhatIsNoTaskIsRefused) {
