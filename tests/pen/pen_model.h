@@ -19,7 +19,7 @@ struct PenModelParameters {
   double duration_s = 0.55;  ///< of a movement of reference_mm
   double reference_mm = 60;
   double duration_exponent = 0.35;  ///< isochrony: T = duration_s * (length / reference)^exponent
-  double overlap = 0.2;            ///< share of a movement already covered by the next
+  double overlap = 0.2;             ///< share of a movement already covered by the next
   double scatter_mm = 0.25;         ///< deviation of an aimed point, plus
   double scatter_ratio = 0.004;     ///< this share of the movement's length
   double bow_ratio = 0.006;         ///< deviation of a movement's sagitta, share of its length
