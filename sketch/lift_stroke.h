@@ -1,4 +1,5 @@
 // A stroke to lines in the world: its readings by how well their lines find candidates.
+// One line alone is lift.h's; what the lines mean together is for the hypotheses to say.
 #pragma once
 
 #include <vector>
@@ -10,6 +11,7 @@
 
 namespace parti::sketch {
 
+/// The best reading of a stroke on one item.
 struct LiftedStroke {
   std::vector<WorldLine> lines;  ///< n >= 1
   int lost_lines = 0;            ///< lines of the reading near which nothing can be made

@@ -12,6 +12,7 @@
 
 namespace parti::sketch {
 
+/// One way to read a stroke.
 struct StrokeReading {
   std::vector<Segment2> lines;  ///< n >= 1, in drawing order, px
   double price = 0;             ///< how much less likely than the segmentation's [nat]
