@@ -84,6 +84,7 @@ std::vector<Segment3> WithoutOverlaps(const std::vector<Segment3>& segments) {
     it->second.pieces.push_back({std::min(a, b), std::max(a, b)});
   }
   std::vector<const Line*> in_order;
+  in_order.reserve(lines.size());
   for (const auto& [key, line] : lines) in_order.push_back(&line);
   std::sort(in_order.begin(), in_order.end(),
             [](const Line* a, const Line* b) { return a->order < b->order; });

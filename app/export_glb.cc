@@ -104,6 +104,7 @@ class GltfMaker {
 
   int AddVectors(const Surface& surface, Float3 Corner::*member, bool with_bounds) {
     std::vector<Float3> values;
+    values.reserve(surface.corners.size());
     for (const Corner& corner : surface.corners) values.push_back(corner.*member);
     const int view =
         AddView(values.data(), values.size() * sizeof(Float3), TINYGLTF_TARGET_ARRAY_BUFFER);

@@ -119,7 +119,7 @@ Result<void> ExportObj(const ModelMesh& mesh, const std::string& path) {
     return Fail(text);
   }
   if (!text->mtl.empty()) {
-    if (const auto written = WriteFile(mtl.string(), text->mtl); !written) return written;
+    if (auto written = WriteFile(mtl.string(), text->mtl); !written) return written;
   }
   return WriteFile(path, text->obj);
 }

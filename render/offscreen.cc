@@ -94,7 +94,7 @@ Result<void> Offscreen::DrawTiles(const Camera& camera, const FramebufferSpec& k
         target = std::move(*made);
       }
       target->Bind();
-      if (const Result<void> drawn = draw(tile, target->id()); !drawn) return drawn;
+      if (Result<void> drawn = draw(tile, target->id()); !drawn) return drawn;
       target->Bind();
       ReadTile(tile, size, pixels);
     }

@@ -54,7 +54,7 @@ void VertexStream::Finish() {
     // A byte offset into the bound buffer, passed as GL wants it: as a pointer.
     gl_->VertexAttribPointer(a.location, a.components, a.type, a.normalized ? GL_TRUE : GL_FALSE,
                              static_cast<GLsizei>(stride_),
-                             static_cast<const std::byte*>(nullptr) + a.offset);
+                             reinterpret_cast<const void*>(a.offset));
     gl_->VertexAttribDivisor(a.location, primitive_ == Primitive::kQuads ? 1 : 0);
   }
   blocks_.push_back(block);
