@@ -123,6 +123,14 @@ TEST(HouseTest, EveryFloorOfEveryFacadeHasItsWindows) {
   EXPECT_EQ(count(".Penthouse"), 1u);
 }
 
+TEST(HouseTest, OtherHandsDrawTheSameHouse) {
+  for (uint64_t seed = 2; seed < 13; ++seed) {
+    const app::Session session = Played(HouseDrawing(seed));
+    ASSERT_THAT(session.state().model.trees, SizeIs(1)) << seed;
+    EXPECT_THAT(Structure(session.state().model.trees[0].nodes), kHouse) << seed;
+  }
+}
+
 TEST(HouseTest, TheSameDrawingGivesTheSameRules) {
   EXPECT_EQ(grammar::TextOf(Played(HouseDrawing(1)).state().model.trees),
             grammar::TextOf(Played(HouseDrawing(1)).state().model.trees));
