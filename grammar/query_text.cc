@@ -211,7 +211,11 @@ std::string TextOf(const QuerySelector& selector) {
 
 }  // namespace
 
-bool Filter::operator==(const Filter&) const = default;
+// Not defaulted: clang 16 crashes on a default that recurses through std::vector.
+bool Filter::operator==(const Filter& other) const {
+  return name == other.name && numbers == other.numbers && volume == other.volume &&
+         queries == other.queries;
+}
 
 bool AtQuery(const Lexer& lexer) {
   return lexer.At('.') || lexer.At('#') || lexer.At(':') || lexer.At('*') ||
