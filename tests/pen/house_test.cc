@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/document.h"
+#include "app/export_glb.h"
 #include "app/picture.h"
 #include "app/replay.h"
 #include "base/text_file.h"
@@ -164,6 +165,11 @@ TEST(HouseTest, ThroughTheRealLibinputItIsTheSameHouse) {
   ExpectGolden(*image, "house");
 }
 
+std::string Glb(const app::Model& model) {
+  const auto mesh = app::ModelMeshFrom(model.derived[0]->tree);
+  return app::GltfBytes(mesh, app::GltfForm::kBinary).value_or("");
+}
+
 TEST(HouseTest, SavedAndReopenedItIsTheSameDocument) {
   const app::Session session = Played(HouseDrawing(1));
   const std::string path = ::testing::TempDir() + "/house_test.parti";
@@ -180,6 +186,9 @@ TEST(HouseTest, SavedAndReopenedItIsTheSameDocument) {
     EXPECT_EQ(opened->strokes[i].stroke, saved.strokes[i].stroke);
     EXPECT_EQ(opened->strokes[i].camera, saved.strokes[i].camera);
   }
+  const auto reopened = app::BuiltOn(opened->lots, opened->trees);
+  ASSERT_TRUE(reopened);
+  EXPECT_EQ(Glb(*reopened), Glb(session.state().model)) << "the same building, to the byte";
   ASSERT_TRUE(app::SaveDocument(*opened, again));
   EXPECT_EQ(*ReadFile(path), *ReadFile(again));
 }
