@@ -71,7 +71,7 @@ Result<void> Record(const Options& options) {
   auto fine = recorder->Add(*first);
   if (fine) fine = RecordEvents(options, *source, *recorder);
   // Whatever happened, what was drawn is worth a proper end.
-  const auto finished = recorder->Finish();
+  auto finished = recorder->Finish();
   if (!fine) return fine;
   if (!finished) return finished;
   if (recorder->reports() == 0) {

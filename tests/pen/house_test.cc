@@ -148,7 +148,7 @@ TEST(HouseTest, ThroughTheRealLibinputItIsTheSameHouse) {
   const input::Drawing drawn = HouseDrawing(1);
   const auto recording = EvdevFromDrawing(drawn);
   ASSERT_TRUE(recording) << recording.error().message;
-  auto seen = PlayThroughLibinput(*recording, 4);
+  auto seen = PlayThroughLibinput(*recording);
   ASSERT_TRUE(seen) << FormatError(seen.error());
   // The device stream is libinput's; the commands are the drawing's (docs/drawings.md).
   seen->commands = drawn.commands;

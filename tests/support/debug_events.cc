@@ -36,8 +36,8 @@ std::optional<PenLine> PenLineIn(const std::string& line) {
 
 }  // namespace
 
-Result<std::vector<PenLine>> PlayToDebugEvents(const EvdevRecording& recording, double speed) {
-  const MockTablet tablet(recording, speed);
+Result<std::vector<PenLine>> PlayToDebugEvents(const EvdevRecording& recording) {
+  const MockTablet tablet(recording);
   const auto corner_mm = [&](int code) {
     const EvdevAxis& axis = recording.axes.at(code);
     return static_cast<double>(axis.maximum - axis.minimum) / axis.resolution;

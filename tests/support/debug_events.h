@@ -20,6 +20,6 @@ struct PenLine {
 /// Its lines about pens, in order, while it is played the recording. With libinput's smoothing as
 /// libinput has it, unless an Unsmoothed lives.
 /// errors  as MockTablet::Run.
-Result<std::vector<PenLine>> PlayToDebugEvents(const EvdevRecording& recording, double speed);
+Result<std::vector<PenLine>> PlayToDebugEvents(const EvdevRecording& recording);
 
 }  // namespace parti::tests

@@ -72,6 +72,18 @@ class Driver {
  public:
   explicit Driver(EvdevRecording* tablet) : tablet_(tablet) {}
 
+  /// The pen comes and goes before its first report. Until libinput has seen a pen go it takes one
+  /// that is silent for 50 ms for gone; real pens tremble, drawn ones may hold still.
+  void Visit(PenEvent first) {
+    constexpr double kBefore_s = 0.03, kLasts_s = 0.01;
+    first.kind = PenEvent::Kind::kProximityIn;
+    first.t_s -= kBefore_s;
+    Take(first);
+    t_us_ += std::llround(kLasts_s * 1e6);
+    Leave();
+    tablet_->begins_with_visit = true;
+  }
+
   void Take(const PenEvent& event) {
     t_us_ = std::llround(event.t_s * 1e6);
     if (event.kind == PenEvent::Kind::kProximityOut) return Leave();
@@ -147,6 +159,14 @@ class Driver {
   int64_t t_us_ = 0;
 };
 
+const PenEvent* FirstReport(const input::Drawing& drawing, int device) {
+  for (const InputEvent& event : drawing.events) {
+    const auto* report = std::get_if<PenEvent>(&event);
+    if (report && report->device == device) return report;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing) {
@@ -161,6 +181,7 @@ Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing) {
   const auto& pen = std::get<DeviceEvent>(*first);
   EvdevRecording tablet = Describe(pen.facts);
   Driver driver(&tablet);
+  if (const auto* report = FirstReport(drawing, pen.device)) driver.Visit(*report);
   for (const InputEvent& event : drawing.events) {
     const auto* report = std::get_if<PenEvent>(&event);
     if (report && report->device == pen.device) driver.Take(*report);

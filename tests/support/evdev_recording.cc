@@ -90,14 +90,4 @@ void AssumeResolution(int32_t units_per_mm, EvdevRecording* recording) {
   }
 }
 
-void CutPauses(double longest_s, EvdevRecording* recording) {
-  const auto longest_us = std::llround(longest_s * 1e6);
-  int64_t cut_us = 0, previous_us = 0;
-  for (EvdevEvent& event : recording->events) {
-    cut_us += std::max<int64_t>(0, event.t_us - previous_us - longest_us);
-    previous_us = event.t_us;
-    event.t_us -= cut_us;
-  }
-}
-
 }  // namespace parti::tests

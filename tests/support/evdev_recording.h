@@ -40,6 +40,7 @@ struct EvdevRecording {
   std::map<int, std::vector<uint8_t>> codes;  ///< by event type: the codes' bits
   std::map<int, EvdevAxis> axes;              ///< by ABS_* code
   std::vector<EvdevEvent> events;
+  bool begins_with_visit = false;  ///< a pen comes and goes before what was recorded begins
 
   void SetCode(int type, int code);
 };
@@ -49,8 +50,5 @@ Result<EvdevRecording> ReadEvemu(std::string_view text, std::string_view file);
 
 /// Gives ABS_X and ABS_Y a resolution where the recording has none: evemu 1.1 did not store it.
 void AssumeResolution(int32_t units_per_mm, EvdevRecording* recording);
-
-/// Shortens every pause between events to at most `longest_s`.
-void CutPauses(double longest_s, EvdevRecording* recording);
 
 }  // namespace parti::tests

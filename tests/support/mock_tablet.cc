@@ -2,13 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <linux/input-event-codes.h>
+#include <linux/input.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -22,6 +22,7 @@
 
 #include "base/check.h"
 #include "base/text_file.h"
+#include "tests/support/child.h"
 #include "tests/support/umockdev_files.h"
 
 namespace parti::tests {
@@ -31,16 +32,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Event times lie this far ahead of the clock. libinput takes a pen that was silent for 50 ms for
-// gone, by the clock; on a busy machine that would happen in the middle of a stroke. With times
-// that the clock never reaches it does not, and every playing gives the same.
+// gone, by the clock or by the next event's time, whichever comes first. On a busy machine the
+// clock would come first, in the middle of a stroke; it never reaches times that are so far ahead,
+// and every playing gives the same.
 constexpr int64_t kAhead_us = 1'000'000'000;
 constexpr int64_t kLastPause_us = 20'000;
-constexpr std::chrono::milliseconds kLook(5);        // between looks at what a program does
-constexpr std::chrono::milliseconds kCleaning(500);  // for umockdev to take its folder away
-// Runs the program, telling its process and then its status in files; umockdev-run itself may hang
-// with events that nobody reads.
-constexpr const char* kRunner =
-    "\"$@\" & echo $! >\"$0/pid\"; wait $!; s=$?; echo $s >\"$0/status\"; exit $s";
+constexpr std::chrono::milliseconds kLook(5);  // between looks at what a program does
+// Becomes the program, its process told in a file.
+constexpr const char* kRunner = "echo $$ >\"$0/pid\"; exec \"$@\"";
 
 /// Lets every tool leave, then the pen come to the far corner and go.
 void AppendEnd(EvdevRecording* recording) {
@@ -65,6 +64,21 @@ void AppendEnd(EvdevRecording* recording) {
   add(t_us + 2 * kLastPause_us, EV_SYN, SYN_REPORT, 0);
 }
 
+/// The recording as the kernel would hand it out, beginning at a time.
+std::vector<input_event> KernelEvents(const std::vector<EvdevEvent>& events, int64_t start_us) {
+  constexpr int64_t kSecond_us = 1'000'000;
+  std::vector<input_event> raw(events.size());
+  for (size_t i = 0; i < events.size(); ++i) {
+    const int64_t t_us = start_us + events[i].t_us;
+    raw[i].input_event_sec = t_us / kSecond_us;
+    raw[i].input_event_usec = t_us % kSecond_us;
+    raw[i].type = events[i].type;
+    raw[i].code = events[i].code;
+    raw[i].value = events[i].value;
+  }
+  return raw;
+}
+
 int64_t Now_us() {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -78,11 +92,6 @@ void Write(const std::string& path, std::string_view text) {
 }
 
 std::string ReadOr(const std::string& path) { return ReadFile(path).value_or(""); }
-
-void Redirect(int fd, const std::string& path, int flags) {
-  const int file = ::open(path.c_str(), flags, 0600);
-  if (file < 0 || ::dup2(file, fd) < 0) ::_exit(126);
-}
 
 /// The end of a file that grows, enough of it to find a mark that came since the last look.
 std::string TailOf(const std::string& path) {
@@ -104,20 +113,31 @@ void DropEnd(std::vector<InputEvent>* events) {
   events->erase(std::prev(last.base()), events->end());
 }
 
+/// Takes away the pen's coming and going before the recording.
+void DropVisit(std::vector<InputEvent>* events) {
+  const auto is_pen = [](const InputEvent& e) { return std::holds_alternative<PenEvent>(e); };
+  const auto came = std::find_if(events->begin(), events->end(), is_pen);
+  const auto went = std::find_if(came, events->end(), [&](const InputEvent& event) {
+    return is_pen(event) && std::get<PenEvent>(event).kind == PenEvent::Kind::kProximityOut;
+  });
+  CHECK(went != events->end(), "the pen that came before went again");
+  events->erase(came, std::next(went));
+}
+
 /// From the player's clock back to the recording's: the first report was its first event.
-void RestoreTimes(int64_t first_us, double speed, std::vector<InputEvent>* events) {
+void RestoreTimes(int64_t first_us, std::vector<InputEvent>* events) {
   std::optional<double> first_s;
   for (InputEvent& event : *events) {
     auto* pen = std::get_if<PenEvent>(&event);
     if (!pen) continue;
     if (!first_s) first_s = pen->t_s;
-    const double since_us = std::round((pen->t_s - *first_s) * 1e6) * speed;
+    const double since_us = std::round((pen->t_s - *first_s) * 1e6);
     pen->t_s = (static_cast<double>(first_us) + since_us) / 1e6;
   }
 }
 
-/// A named pipe, so that the player gets its events no sooner than they are pushed: what it plays
-/// before the program has opened the tablet is lost.
+/// The mocked node's events. A named pipe takes whole events or none, and lets none be lost: what
+/// there is no room for waits until the program has read.
 class Pipe {
  public:
   explicit Pipe(const std::string& path) {
@@ -126,76 +146,32 @@ class Pipe {
     fd_ = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     CHECK(fd_ >= 0, "a pipe just made can be opened");
   }
-  ~Pipe() { Close(); }
+  ~Pipe() { ::close(fd_); }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  void Fill(std::string text) { text_ = std::move(text); }
+  void Fill(std::vector<input_event> events) { events_ = std::move(events); }
+  bool filled() const { return !events_.empty(); }
 
-  /// Pushes as much as there is room for; closes after the last.
+  /// Pushes as many as there is room for.
   void Push() {
-    if (fd_ < 0 || !text_) return;
-    const ssize_t taken = ::write(fd_, text_->data(), text_->size());
-    if (taken > 0) text_->erase(0, static_cast<size_t>(taken));
-    if (text_->empty()) Close();
+    constexpr size_t kAtOnce = PIPE_BUF / sizeof(input_event);  // goes in whole, or not at all
+    while (pushed_ < events_.size()) {
+      const size_t bytes = std::min(kAtOnce, events_.size() - pushed_) * sizeof(input_event);
+      if (::write(fd_, &events_[pushed_], bytes) != static_cast<ssize_t>(bytes)) return;
+      pushed_ += bytes / sizeof(input_event);
+    }
   }
-
-  /// Nothing more comes: the player stops waiting.
-  void Close() {
-    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-  }
-
-  bool filled() const { return text_.has_value(); }
 
  private:
   int fd_ = -1;
-  std::optional<std::string> text_;
-};
-
-/// A child in a process group of its own; killed with all its children unless it was waited for.
-class Child {
- public:
-  Child(const std::vector<std::string>& words, const std::string& output,
-        const std::string& errors) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    pid_ = ::fork();
-    if (pid_ != 0) return;
-    ::setpgid(0, 0);
-    Redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
-    Redirect(STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC);
-    Redirect(STDERR_FILENO, errors, O_WRONLY | O_CREAT | O_TRUNC);
-    ::execvp(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  ~Child() {
-    if (pid_ <= 0 || ended_) return;
-    ::kill(-pid_, SIGKILL);
-    ::waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  bool Ended() {
-    if (!ended_) ended_ = ::waitpid(pid_, nullptr, WNOHANG) == pid_;
-    return ended_;
-  }
-
-  void GiveTime(std::chrono::milliseconds time) {
-    const auto deadline = Clock::now() + time;
-    while (!Ended() && Clock::now() < deadline) std::this_thread::sleep_for(kLook);
-  }
-
- private:
-  pid_t pid_ = -1;
-  bool ended_ = false;
+  std::vector<input_event> events_;
+  size_t pushed_ = 0;
 };
 
 }  // namespace
 
-MockTablet::MockTablet(const EvdevRecording& recording, double speed)
-    : recording_(recording), speed_(speed) {
+MockTablet::MockTablet(const EvdevRecording& recording) : recording_(recording) {
   std::string name = (fs::temp_directory_path() / "parti-tablet-XXXXXX").string();
   CHECK(::mkdtemp(name.data()) != nullptr, "tests can make folders");
   folder_ = name;
@@ -221,53 +197,47 @@ std::string MockTablet::EndMark() const {
 
 Result<MockTablet::Outcome> MockTablet::Run(const std::vector<std::string>& program,
                                             const Watch& watch, double patience_s) const {
-  for (const char* earlier : {"pid", "status"}) fs::remove(folder_ / earlier);
+  fs::remove(folder_ / "pid");
   Pipe events(File("events"));
   const std::string watched = watch.file.empty() ? File("output") : watch.file;
   const auto deadline = Clock::now() + std::chrono::duration<double>(patience_s);
   Child child(CommandFor(program), File("output"), File("errors"));
   bool interrupted = watch.end.empty();
   while (Clock::now() < deadline) {
-    if (child.Ended()) break;
-    const std::string status = ReadOr(File("status"));
-    if (status.ends_with('\n')) {
-      // The player would wait for more, or for someone to read what it plays.
-      events.Close();
-      child.GiveTime(kCleaning);
-      return Outcome{std::atoi(status.c_str()), ReadOr(File("output")), ReadOr(File("errors"))};
+    if (const auto status = child.Ended()) {
+      return Outcome{*status, ReadOr(File("output")), ReadOr(File("errors"))};
     }
-    const int program_id = std::atoi(ReadOr(File("pid")).c_str());
     const std::string tail = TailOf(watched);
     if (!watch.ready.empty() && !events.filled() && tail.find(watch.ready) != std::string::npos) {
-      events.Fill(UmockdevScript(recording_, Now_us() + kAhead_us, speed_));
+      events.Fill(KernelEvents(recording_.events, Now_us() + kAhead_us));
     }
     events.Push();
-    if (!interrupted && program_id > 0 && tail.find(watch.end) != std::string::npos) {
-      ::kill(program_id, SIGINT);
+    if (!interrupted && tail.find(watch.end) != std::string::npos) {
+      ::kill(std::atoi(ReadOr(File("pid")).c_str()), SIGINT);
       interrupted = true;
     }
     std::this_thread::sleep_for(kLook);
   }
-  return Fail(ErrorCode::kDevice,
-              fmt::format("{} could not be run, or did not end within {} s; its errors: {}",
-                          program.front(), patience_s, ReadOr(File("errors"))));
+  return Fail(ErrorCode::kDevice, fmt::format("{} did not end within {} s; its errors: {}",
+                                              program.front(), patience_s, ReadOr(File("errors"))));
 }
 
 std::vector<std::string> MockTablet::CommandFor(const std::vector<std::string>& program) const {
   const std::string node = kMockNode;
   std::vector<std::string> words{
-      "umockdev-run", "-d", File("device"), "-i", node + "=" + File("ioctls"), "-s",
-      node + "=" + File("events"), "--", "env", "MOCK_NODE=13:69", "MOCK_UDEV_DATA=" + File("udev"),
+      "umockdev-run", "-d", File("device"), "-i", node + "=" + File("ioctls"), "--", "env",
+      "MOCK_NODE=" + node, "MOCK_NUMBER=13:69", "MOCK_EVENTS=" + File("events"),
+      "MOCK_UDEV_DATA=" + File("udev"),
       // The sanitizers' runtime wants to be loaded first, and can do without.
       "ASAN_OPTIONS=verify_asan_link_order=0",
-      "LD_PRELOAD=" PARTI_MOCK_NODE ":libumockdev-preload.so.0", "sh", "-c", kRunner,
+      fmt::format("LD_PRELOAD={}:libumockdev-preload.so.0", PARTI_MOCK_NODE), "sh", "-c", kRunner,
       folder_.string()};
   words.insert(words.end(), program.begin(), program.end());
   return words;
 }
 
-Result<input::Drawing> PlayThroughLibinput(const EvdevRecording& recording, double speed) {
-  const MockTablet tablet(recording, speed);
+Result<input::Drawing> PlayThroughLibinput(const EvdevRecording& recording) {
+  const MockTablet tablet(recording);
   const std::string out = (tablet.folder() / "seen.pen").string();
   const auto outcome =
       tablet.Run({PARTI_PROGRAM, "record", out, "--device", kMockNode},
@@ -280,8 +250,9 @@ Result<input::Drawing> PlayThroughLibinput(const EvdevRecording& recording, doub
   if (reading.damage) return tl::unexpected(*reading.damage);
   DropEnd(&reading.drawing.events);
   if (!recording.events.empty()) {
-    RestoreTimes(recording.events.front().t_us, speed, &reading.drawing.events);
+    RestoreTimes(recording.events.front().t_us, &reading.drawing.events);
   }
+  if (recording.begins_with_visit) DropVisit(&reading.drawing.events);
   return reading.drawing;
 }
 

@@ -21,8 +21,7 @@ inline constexpr const char* kMockNode = "/dev/input/event5";
 /// A folder with what umockdev needs; gone with the value.
 class MockTablet {
  public:
-  /// `speed` plays that many times faster; event times shrink with it.
-  explicit MockTablet(const EvdevRecording& recording, double speed = 1);
+  explicit MockTablet(const EvdevRecording& recording);
   ~MockTablet();
   MockTablet(const MockTablet&) = delete;
   MockTablet& operator=(const MockTablet&) = delete;
@@ -56,13 +55,12 @@ class MockTablet {
   std::string File(const char* name) const { return (folder_ / name).string(); }
 
   EvdevRecording recording_;
-  double speed_;
   std::filesystem::path folder_;
 };
 
 /// What `parti record` made of the recording: the events of LibinputSource, their times since the
-/// recording's first event, stretched back to speed 1 (and to whole multiples of it in us).
+/// recording's first event. It takes no longer than the program takes to read the events.
 /// errors  as MockTablet::Run; kDamagedFile  if what was recorded can't be read.
-Result<input::Drawing> PlayThroughLibinput(const EvdevRecording& recording, double speed = 1);
+Result<input::Drawing> PlayThroughLibinput(const EvdevRecording& recording);
 
 }  // namespace parti::tests

@@ -1,13 +1,11 @@
 #include "tests/support/umockdev_files.h"
 
 #include <fmt/format.h>
-#include <linux/input.h>
+#include <linux/input-event-codes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <initializer_list>
-#include <utility>
 
 #include "base/math.h"
 
@@ -87,30 +85,6 @@ std::string TextAnswer(const std::string& request, std::string text) {
   return Answer(request, text.size(), Padded(Bytes(text.begin(), text.end()), kIdentityLength));
 }
 
-/// The event as read from a node, in umockdev's quoting: ^@ to ^_ for bytes 0 to 31, ^` for ^.
-std::string Quoted(const EvdevEvent& event, int64_t t_us) {
-  constexpr int64_t kSecond_us = 1'000'000;
-  input_event raw{};
-  raw.input_event_sec = t_us / kSecond_us;
-  raw.input_event_usec = t_us % kSecond_us;
-  raw.type = event.type;
-  raw.code = event.code;
-  raw.value = event.value;
-  Bytes bytes(sizeof raw);
-  std::memcpy(bytes.data(), &raw, sizeof raw);
-  std::string text;
-  for (const uint8_t byte : bytes) {
-    if (byte < ' ') {
-      text += {'^', static_cast<char>(byte + '@')};
-    } else if (byte == '^') {
-      text += "^`";
-    } else {
-      text += static_cast<char>(byte);
-    }
-  }
-  return text;
-}
-
 Vec2 SizeMm(const EvdevRecording& recording) {
   const auto size = [&](int code) {
     const auto axis = recording.axes.find(code);
@@ -176,20 +150,6 @@ std::string UmockdevIoctls(const EvdevRecording& recording) {
         Raw<int32_t>({0, axis.minimum, axis.maximum, axis.fuzz, axis.flat, axis.resolution}));
   }
   return text;
-}
-
-std::string UmockdevScript(const EvdevRecording& recording, int64_t start_us, double speed) {
-  std::string script, report;
-  int64_t played_us = 0;
-  for (const EvdevEvent& event : recording.events) {
-    const auto since_us = std::llround(static_cast<double>(event.t_us) / speed);
-    report += Quoted(event, start_us + since_us);
-    if (event.type != EV_SYN || event.code != SYN_REPORT) continue;
-    const int64_t pause_ms = std::max<int64_t>(0, (since_us - played_us) / 1000);
-    played_us += pause_ms * 1000;
-    script += fmt::format("r {} {}\n", pause_ms, std::exchange(report, ""));
-  }
-  return script;
 }
 
 std::string UdevData() {

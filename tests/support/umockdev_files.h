@@ -1,5 +1,5 @@
-// The three texts from which umockdev mocks a device: its place in sysfs, its answers to ioctl, and
-// its events. See umockdev-record(1) for the formats.
+// The texts from which umockdev mocks a device: its place in sysfs and its answers to ioctl; see
+// umockdev-record(1) for the formats. Its events come another way (preload/mock_node.cc).
 #pragma once
 
 #include <string>
@@ -14,10 +14,6 @@ std::string UmockdevDevice(const EvdevRecording& recording);
 /// Its answers. umockdev tells requests apart by the length of the caller's buffer, so these are
 /// answers to libevdev's requests and no one else's.
 std::string UmockdevIoctls(const EvdevRecording& recording);
-
-/// Its events, `start_us` being the clock at the first, as a script of reads: each line a pause in
-/// milliseconds and the bytes of one report, up to and with its SYN_REPORT.
-std::string UmockdevScript(const EvdevRecording& recording, int64_t start_us, double speed);
 
 /// What udev stores of a device that it is done with.
 std::string UdevData();

@@ -1,17 +1,16 @@
 // Preloaded before umockdev's own library into programs that read a mocked tablet: mends what
-// umockdev 0.17 leaves real, so that libinput takes the tablet without root. Three things:
-//  - fstat of the node tells the pseudo terminal behind it (major 136 to 143); libinput compares it
-//    with udev's number and refuses. MOCK_NODE=13:69 is told instead.
+// umockdev 0.17 leaves real, so that libinput takes the tablet without root. Two things:
+//  - The node MOCK_NODE (umockdev answers its ioctls) gives its events from the named pipe
+//    MOCK_EVENTS and tells the number MOCK_NUMBER in fstat, which libinput compares with udev's.
+//    umockdev's own player goes through a pseudo terminal: it loses what it plays before the
+//    program is ready, splits events, and tells the terminal's number.
 //  - libudev looks in /run/udev/data whether udev is done with the device, or libinput waits for
 //    ever. Files of that folder are looked for in the folder MOCK_UDEV_DATA instead.
-//  - a pseudo terminal that has fallen behind splits an event in two, a kernel's node never does;
-//    libevdev gives the device up then. Reads are completed to whole events here.
 // Built without sanitizers: it is loaded before their runtime.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <linux/input.h>
-#include <poll.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
@@ -28,18 +27,36 @@ Function* Next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-bool IsPseudoTerminal(mode_t mode, dev_t device) {
-  constexpr unsigned kFirst = 136, kLast = 143;
-  return S_ISCHR(mode) && major(device) >= kFirst && major(device) <= kLast;
+/// Whether this is the pipe of the node's events.
+template <typename Stat>
+bool IsMocked(const Stat& facts) {
+  const char* events = std::getenv("MOCK_EVENTS");
+  struct stat pipe {};
+  return events && S_ISFIFO(facts.st_mode) && ::stat(events, &pipe) == 0 &&
+         pipe.st_dev == facts.st_dev && pipe.st_ino == facts.st_ino;
 }
 
 template <typename Stat>
 void TellMockedNumber(Stat* facts) {
   unsigned major_number = 0, minor_number = 0;
-  const char* number = std::getenv("MOCK_NODE");
-  if (!number || !IsPseudoTerminal(facts->st_mode, facts->st_rdev)) return;
+  const char* number = std::getenv("MOCK_NUMBER");
+  if (!number || !IsMocked(*facts)) return;
   if (std::sscanf(number, "%u:%u", &major_number, &minor_number) != 2) return;
+  facts->st_mode = (facts->st_mode & ~static_cast<mode_t>(S_IFMT)) | S_IFCHR;
   facts->st_rdev = makedev(major_number, minor_number);
+}
+
+/// Puts the pipe in the place of the mocked node, under the descriptor that umockdev knows. Done by
+/// system calls, since umockdev watches the functions.
+int WithEvents(int fd, const char* path) {
+  const char* node = std::getenv("MOCK_NODE");
+  const char* events = std::getenv("MOCK_EVENTS");
+  if (fd < 0 || !node || !events || std::string_view(path) != node) return fd;
+  const auto pipe = ::syscall(SYS_openat, AT_FDCWD, events, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (pipe < 0) return fd;
+  ::syscall(SYS_dup3, pipe, fd, O_CLOEXEC);
+  ::syscall(SYS_close, pipe);
+  return fd;
 }
 
 std::string Moved(const char* path) {
@@ -86,42 +103,36 @@ FILE* fopen64(const char* path, const char* mode) {
 
 int open(const char* path, int flags, ...) {
   MODE_ARGUMENT(flags)
-  return Next<int(const char*, int, ...)>("open")(Moved(path).c_str(), flags, mode);
+  return WithEvents(Next<int(const char*, int, ...)>("open")(Moved(path).c_str(), flags, mode),
+                    path);
 }
 
 int open64(const char* path, int flags, ...) {
   MODE_ARGUMENT(flags)
-  return Next<int(const char*, int, ...)>("open64")(Moved(path).c_str(), flags, mode);
+  return WithEvents(Next<int(const char*, int, ...)>("open64")(Moved(path).c_str(), flags, mode),
+                    path);
 }
 
 int openat(int folder, const char* path, int flags, ...) {
   MODE_ARGUMENT(flags)
-  return Next<int(int, const char*, int, ...)>("openat")(folder, Moved(path).c_str(), flags, mode);
+  return WithEvents(
+      Next<int(int, const char*, int, ...)>("openat")(folder, Moved(path).c_str(), flags, mode),
+      path);
 }
 
 int openat64(int folder, const char* path, int flags, ...) {
   MODE_ARGUMENT(flags)
-  return Next<int(int, const char*, int, ...)>("openat64")(folder, Moved(path).c_str(), flags,
-                                                           mode);
+  return WithEvents(
+      Next<int(int, const char*, int, ...)>("openat64")(folder, Moved(path).c_str(), flags, mode),
+      path);
 }
 
-ssize_t read(int fd, void* buffer, size_t size) {
-  static auto* const next = Next<ssize_t(int, void*, size_t)>("read");
-  static auto* const next_fstat = Next<int(int, struct stat*)>("fstat");
-  constexpr ssize_t kEvent = sizeof(input_event);
-  ssize_t got = next(fd, buffer, size);
-  struct stat facts {};
-  if (got <= 0 || got % kEvent == 0 || size % kEvent != 0) return got;
-  if (next_fstat(fd, &facts) != 0 || !IsPseudoTerminal(facts.st_mode, facts.st_rdev)) return got;
-  while (got % kEvent != 0) {
-    pollfd waiting{fd, POLLIN, 0};
-    if (::poll(&waiting, 1, -1) < 0) return got;
-    const auto missing = static_cast<size_t>(kEvent - got % kEvent);
-    const ssize_t more = next(fd, static_cast<char*>(buffer) + got, missing);
-    if (more <= 0) return got;
-    got += more;
-  }
-  return got;
+// What programs built with _FORTIFY_SOURCE call in the place of the two open functions.
+int __open_2(const char* path, int flags) {  // NOLINT(readability-identifier-naming)
+  return open(path, flags);
+}
+int __open64_2(const char* path, int flags) {  // NOLINT(readability-identifier-naming)
+  return open64(path, flags);
 }
 
 }  // extern "C"
