@@ -54,19 +54,20 @@ struct Flat {
 std::vector<MeshFace> FacesFrom(const std::vector<Vec3>& points, const Vec3& normal,
                                 std::vector<Loop> outlines, std::vector<Loop> holes) {
   std::vector<MeshFace> faces;
+  faces.reserve(outlines.size());
   for (Loop& outline : outlines) faces.push_back({std::move(outline), {}});
+  if (holes.empty()) return faces;
   if (faces.size() == 1) {
     faces[0].holes = std::move(holes);
     return faces;
   }
   const Flat flat(normal);
+  std::vector<Polygon> flat_faces;
+  flat_faces.reserve(faces.size());
+  for (const MeshFace& face : faces) flat_faces.push_back({flat.Of(points, face.loop), {}});
   for (Loop& hole : holes) {
-    std::vector<Ring> rings;
-    for (const MeshFace& face : faces) rings.push_back(flat.Of(points, face.loop));
-    const auto nested = Nest(std::move(rings), {flat.Of(points, hole)});
-    for (size_t i = 0; i < faces.size(); ++i) {
-      if (!nested[i].holes.empty()) faces[i].holes.push_back(std::move(hole));
-    }
+    const size_t owner = OutlineAround(flat.Of(points, hole), flat_faces);
+    if (owner < faces.size()) faces[owner].holes.push_back(std::move(hole));
   }
   return faces;
 }

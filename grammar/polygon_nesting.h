@@ -8,6 +8,10 @@
 
 namespace parti::grammar {
 
+/// The number of the smallest outline around the hole; outlines.size() when there is none. Only the
+/// outer rings count.
+size_t OutlineAround(const Ring& hole, const std::vector<Polygon>& outlines);
+
 /// One polygon per outline (counter-clockwise), with those of `holes` (clockwise) that lie in it;
 /// a hole goes to the smallest outline around it, and one around which there is none is dropped.
 /// Loops may touch but not cross. Order of the outlines is kept. O(outlines x corners of holes).
