@@ -26,9 +26,9 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 }  // namespace
 
 std::span<const Operation> Operations() {
-  static const Operation kRows[] = {kExtrude, kSplit, kRepeat, kComp,
+  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,
                                     kOffset,  kTag,   kSymbol, kColor};
-  return kRows;
+  return rows;
 }
 
 const Operation* FindOperation(std::string_view name) {
