@@ -102,7 +102,11 @@ struct RankingParameters {
   double equal_spacing = 0.007;  ///< equal parts are drawn equal to this share of the whole
   /// Another value of the same operation is offered too when it differs by this share of the item,
   double distinct_relative = 0.1;
-  double distinct_nats = 25;       ///< and its evidence by no more than this.
+  double distinct_nats = 25;  ///< and its evidence by no more than this.
+  /// Numbers are rounded while that costs no more evidence than this each, and never by more than
+  /// this share of themselves (readable.h). A tenth of a nat is 0.45 deviations.
+  double readable_loss = 0.1;
+  double readable_share = 0.02;
   double hopeless_px = 60;         ///< a mean distance beyond which nothing is suggested, and
   double hopeless_relative = 0.3;  ///< the same in shares of the mean drawn length
 };

@@ -10,6 +10,7 @@
 #include "sketch/heuristics.h"
 #include "sketch/lift_stroke.h"
 #include "sketch/ranking.h"
+#include "sketch/readable.h"
 #include "sketch/sampled_hypotheses.h"
 #include "sketch/symbols.h"
 
@@ -97,7 +98,11 @@ Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
   if (suggestions.empty()) {
     return Fail(ErrorCode::kNoFit, "no operation makes edges like the drawn lines", kDrawEdges);
   }
-  return Ranked(std::move(suggestions), sketch.made.diagonal_m(), parameters);
+  suggestions = Ranked(std::move(suggestions), sketch.made.diagonal_m(), parameters);
+  for (Suggestion& suggestion : suggestions) {
+    suggestion.action = Readable(suggestion.action, sketch.made, sketch.lines, parameters);
+  }
+  return suggestions;
 }
 
 Result<void> CheckItem(const grammar::Item& item) {
