@@ -76,7 +76,7 @@ Result<void> Replace(const std::string& path, const std::string& target, std::st
     return FailWith("write", path, "check that the folder exists and that you may write there");
   }
   const auto fail = [&](const char* hint) {
-    const auto failed = FailWith("write", path, hint);
+    auto failed = FailWith("write", path, hint);
     std::remove(temporary.c_str());
     return failed;
   };
