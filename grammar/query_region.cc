@@ -145,7 +145,7 @@ ShapeTest VolumeTest(const Filter& filter, const ShapeTree& tree) {
 }
 
 ShapeTest BodiesTest(const Filter& filter, const ShapeTree& tree,
-                     std::shared_ptr<const Bodies> bodies) {
+                     const std::shared_ptr<const Bodies>& bodies) {
   const std::string& name = filter.name;
   if (name == "within") {
     return [&tree, bodies, metres = filter.numbers[0] + kNear](ShapeIndex i) {
