@@ -130,6 +130,8 @@ template <typename... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <typename... Cases>  // clang 16 can't work it out
+Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
