@@ -67,7 +67,8 @@ Result<std::vector<double>> SampleLengths(const grammar::Item& item, const View&
   const double half_view = view.camera().vertical_fov.radians() / 2;
   const double longest_m = parameters.reach * std::tan(half_view) * furthest_m;  // (6.10)
   const double spacing_m =
-      std::max(parameters.spacing_px / nearest_px_per_m, longest_m / parameters.most_lengths);
+      std::max({parameters.spacing_px / nearest_px_per_m, longest_m / parameters.most_lengths,
+                parameters.finest * DiagonalOf(item)});
   std::vector<double> lengths;
   for (int i = 1; i * spacing_m <= longest_m * (1 + 1e-12); ++i) lengths.push_back(i * spacing_m);
   return lengths;

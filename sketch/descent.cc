@@ -24,14 +24,25 @@ struct Problem {
   std::vector<Unknown> unknowns;
 };
 
-double RangeOf(const grammar::Dial& dial, double diagonal_m) {
-  if (dial.kind == grammar::ParameterKind::kLength) return diagonal_m;
+// What a length can be: up to the item's extent along the action's axis, or its diagonal.
+double LengthRange(const grammar::Action& action, const MadeEdges& made) {
+  for (const grammar::Argument& argument : action.arguments) {
+    const auto* axis = std::get_if<grammar::Axis>(&argument);
+    const double extent = axis ? made.item().scope.size[static_cast<int>(*axis)] : 0;
+    if (extent > 0) return extent;
+  }
+  return made.diagonal_m();
+}
+
+double RangeOf(const grammar::Dial& dial, double length_range_m) {
+  if (dial.kind == grammar::ParameterKind::kLength) return length_range_m;
   const double whole = dial.high - dial.low;
   return std::isfinite(whole) && whole > 0 && whole < 1e3 ? whole
                                                           : std::max(1.0, std::abs(*dial.value));
 }
 
-std::vector<Unknown> UnknownsOf(Hypothesis hypothesis, double diagonal_m) {
+std::vector<Unknown> UnknownsOf(Hypothesis hypothesis, const MadeEdges& made) {
+  const double length_range_m = LengthRange(hypothesis.action, made);
   const std::vector<grammar::Dial> dials = grammar::Dials(&hypothesis.action);
   std::vector<std::vector<size_t>> groups = hypothesis.equal;
   for (size_t i = 0; i < dials.size(); ++i) {
@@ -41,7 +52,7 @@ std::vector<Unknown> UnknownsOf(Hypothesis hypothesis, double diagonal_m) {
   std::vector<Unknown> unknowns;
   for (std::vector<size_t>& group : groups) {
     const grammar::Dial& dial = dials[group.front()];
-    unknowns.push_back({std::move(group), RangeOf(dial, diagonal_m), dial.low, dial.high});
+    unknowns.push_back({std::move(group), RangeOf(dial, length_range_m), dial.low, dial.high});
   }
   return unknowns;
 }
@@ -170,8 +181,7 @@ bool SearchAlong(const std::vector<double>& step, const Problem& problem, Adjust
 
 Result<Adjusted> Adjust(const Hypothesis& hypothesis, const MadeEdges& made,
                         const SketchedLines& lines, const SketchParameters& parameters) {
-  const Problem problem{&made, &lines, parameters.descent,
-                        UnknownsOf(hypothesis, made.diagonal_m())};
+  const Problem problem{&made, &lines, parameters.descent, UnknownsOf(hypothesis, made)};
   auto first = MatchOf(hypothesis.action, problem);
   if (!first) return Fail(first);
   Adjusted adjusted{hypothesis, std::move(*first)};

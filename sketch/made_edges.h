@@ -24,6 +24,7 @@ class MadeEdges {
   /// errors  those of AllEdges.
   Result<std::vector<Segment3>> Of(const grammar::Action& action, bool distinct = false) const;
 
+  const grammar::Item& item() const { return *item_; }
   double diagonal_m() const { return diagonal_m_; }
   const std::vector<Segment3>& item_edges() const { return item_edges_; }
 

@@ -49,8 +49,10 @@ struct CandidateParameters {
   /// Lengths reach to this many times sigma of (6.10), which is half the picture's height at the
   /// item's distance: a line may cross the whole picture.
   double reach = 2;
-  /// Never more lengths than these, for items that come close to the eye.
+  /// Never more lengths than these, for items that come close to the eye, and none shorter than
+  /// this share of the item's diagonal, which would repeat it finer than anyone draws.
   int most_lengths = 96;
+  double finest = 0.005;
 };
 
 /// From a drawn line to lines in the world (6.12, 6.13).
@@ -82,6 +84,7 @@ struct HeuristicParameters {
   // Prices of rarer meanings, in nats (Hypothesis::price).
   double inward_extrude = 2;   ///< an extrusion into the item
   double outward_offset = 2;   ///< an offset out of the item
+  double tie = 1;              ///< each size that is kept equal to another
   double repeat_is_meant = 2;  ///< a split into three equal parts and more
   double repeat_of_two = 6;    ///< a repeat shown by a single line
   double alike_faces = 0.1;    ///< comp with all faces alike against side and top
@@ -100,6 +103,8 @@ struct DescentParameters {
 struct RankingParameters {
   double sampled = 3;            ///< price of being found by sampling where heuristics have a say
   double equal_spacing = 0.007;  ///< equal parts are drawn equal to this share of the whole
+  /// Lines that fit the item's own edges as well as this trace them, and mean nothing new.
+  double tracing = 4;
   /// Another value of the same operation is offered too when it differs by this share of the item,
   double distinct_relative = 0.1;
   double distinct_nats = 25;  ///< and its evidence by no more than this.
@@ -122,6 +127,7 @@ struct SketchParameters {
   DescentParameters descent;
   RankingParameters ranking;
   int most_suggestions = 8;
+  int most_strokes = 64;  ///< in one sketch; bounds time
 };
 
 }  // namespace parti::sketch

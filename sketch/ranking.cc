@@ -87,6 +87,17 @@ bool IsHopeless(const Adjusted& adjusted, const SketchedLines& lines,
   return !(MeanEndDistance_px(adjusted.match) <= far);
 }
 
+bool MerelyTraces(const Adjusted& adjusted, const Match& traced, const RankingParameters& ranking) {
+  const double apart = std::abs(adjusted.match.error - traced.error);
+  if (apart <= 1e-6 * (1 + traced.error)) return false;  // comp: the item's own edges
+  for (size_t i = 0; i < traced.lines.size(); ++i) {
+    if (traced.lines[i].error / 2 > adjusted.match.lines[i].error / 2 + ranking.tracing) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool HasSliver(const grammar::Action& action, const grammar::Item& item, double share) {
   if (action.operation->braces != grammar::Braces::kSizes) return false;
   const auto products = grammar::Apply(action, item);

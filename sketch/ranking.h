@@ -23,6 +23,10 @@ double SpacingCredit(const Adjusted& adjusted, const SketchedLines& lines,
 bool IsHopeless(const Adjusted& adjusted, const SketchedLines& lines,
                 const RankingParameters& parameters);
 
+/// Whether all lines fit the item's own edges (`traced`) about as well as the edges that the
+/// operation makes: then they trace the item. Never so where it makes no other edges (comp).
+bool MerelyTraces(const Adjusted& adjusted, const Match& traced, const RankingParameters& ranking);
+
 /// Whether a split leaves a part thinner than this share of the whole: a cut that slid onto the
 /// item's own edge, which is no cut. False for operations without sizes.
 bool HasSliver(const grammar::Action& action, const grammar::Item& item, double share);

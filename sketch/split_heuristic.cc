@@ -124,6 +124,9 @@ Segment3 Along(const SplitAxis& axis) {
   return {axis.item->scope.ToWorld(from), axis.item->scope.ToWorld(to)};
 }
 
+// Free cuts can be told in any order, so that each set of them is that much likelier.
+double LogOrders(size_t free_cuts) { return std::lgamma(static_cast<double>(free_cuts) + 1); }
+
 void AddSplits(const std::vector<double>& sizes, const SplitAxis& axis,
                std::vector<Hypothesis>* hypotheses) {
   const grammar::Operation* split = grammar::FindOperation("split");
@@ -134,10 +137,15 @@ void AddSplits(const std::vector<double>& sizes, const SplitAxis& axis,
   std::iota(each.begin(), each.end(), 0);
   const auto ties = TiesOf(groups);
   hypotheses->push_back({SplitAction(*split, name, sizes, each)});
+  hypotheses->back().price = -LogOrders(sizes.size() - 1);
   if (ties.empty()) return;
   Hypothesis tied{SplitAction(*split, name, GroupMeans(sizes, groups), groups)};
   tied.equal = ties;
   tied.spaced_along = Along(axis);
+  size_t tied_sizes = 0;
+  for (const std::vector<size_t>& tie : ties) tied_sizes += tie.size() - 1;
+  tied.price = axis.parameters.tie * static_cast<double>(tied_sizes) -
+               LogOrders(sizes.size() - 1 - tied_sizes);
   const bool all_alike = ties.front().size() == sizes.size();
   if (all_alike && sizes.size() > 2) tied.price = axis.parameters.repeat_is_meant;
   hypotheses->push_back(std::move(tied));

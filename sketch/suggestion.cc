@@ -1,5 +1,7 @@
 #include "sketch/suggestion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -26,7 +28,7 @@ struct Sketch {
   const grammar::Item* item;
   MadeEdges made;
   SketchedLines lines;
-  const Candidates* candidates;
+  Match traced;  ///< the lines against the item's own edges
   const SketchParameters* parameters;
 };
 
@@ -58,6 +60,7 @@ std::vector<Hypothesis> ProposedWithoutOneLine(const Sketch& sketch) {
 std::optional<Suggestion> Judge(const Hypothesis& hypothesis, const Sketch& sketch) {
   auto adjusted = Adjust(hypothesis, sketch.made, sketch.lines, *sketch.parameters);
   if (!adjusted || IsHopeless(*adjusted, sketch.lines, sketch.parameters->ranking) ||
+      MerelyTraces(*adjusted, sketch.traced, sketch.parameters->ranking) ||
       HasSliver(adjusted->hypothesis.action, *sketch.item,
                 sketch.parameters->heuristics.plane_relative)) {
     return std::nullopt;
@@ -85,9 +88,11 @@ void JudgeAll(const std::vector<Hypothesis>& hypotheses, const Sketch& sketch,
 Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
                                             const grammar::Item& item, const Candidates& candidates,
                                             const SketchParameters& parameters) {
-  const Sketch sketch{&configuration,  &item,
-                      MadeEdges(item), SketchedLines(configuration, parameters.noise),
-                      &candidates,     &parameters};
+  Sketch sketch{
+      &configuration, &item, MadeEdges(item), SketchedLines(configuration, parameters.noise), {},
+      &parameters};
+  sketch.traced =
+      MatchLines(sketch.lines, sketch.made.item_edges(), parameters.descent.outlier_deviations);
   std::vector<Suggestion> suggestions;
   JudgeAll(ProposedByHeuristics(configuration, sketch), sketch, &suggestions);
   if (suggestions.empty()) JudgeAll(ProposedWithoutOneLine(sketch), sketch, &suggestions);
@@ -208,6 +213,11 @@ Result<std::vector<Suggestion>> Suggest(const Configuration& configuration,
 Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& strokes,
                                  const grammar::Item& item, const Camera& camera,
                                  const SketchParameters& parameters) {
+  if (strokes.size() > static_cast<size_t>(parameters.most_strokes)) {
+    return Fail(ErrorCode::kLimitReached,
+                fmt::format("the sketch has more than {} strokes", parameters.most_strokes),
+                "accept an operation before drawing the next");
+  }
   const auto candidates = CandidatesFor(item, camera, parameters);
   if (!candidates) return Fail(candidates);
   int lost = 0;

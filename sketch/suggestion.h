@@ -57,7 +57,7 @@ struct SketchReading {
 
 /// As SuggestFromStrokes, for strokes that ReadStrokes has read, with all that is known: for
 /// choosing between items.
-/// errors  those of LiftStroke and Suggest.
+/// errors  those of LiftStroke and Suggest;  kLimitReached  more than most_strokes strokes.
 Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& strokes,
                                  const grammar::Item& item, const Camera& camera,
                                  const SketchParameters& parameters = {});

@@ -1,6 +1,7 @@
 #include "sketch/target.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "sketch/stroke_reading.h"
@@ -27,19 +28,29 @@ double DistanceToEdges(const Vec2& p, const std::vector<Segment2>& edges, double
   return nearest;
 }
 
-// Mean distance of the drawn ends from the item's edges; the reach for an item out of it.
-double MeanDistance(const std::vector<Segment2>& drawn, const grammar::Item& item, const View& view,
-                    double reach_px) {
+std::vector<Segment2> ScreenEdges(const grammar::Item& item, const View& view) {
   std::vector<Segment2> edges;
   for (const Segment3& edge : grammar::EdgesOf(item)) {
     const auto screen = view.Project(edge);
     if (screen) edges.push_back(*screen);
   }
+  return edges;
+}
+
+// Mean distance of the drawn ends from the item's edges: the reach for an item out of it, half the
+// reach at most where the end lies over the item, as the corners of a rectangle on a roof do.
+double MeanDistance(const std::vector<Vec2>& ends, size_t item,
+                    std::span<const grammar::Item> items, const std::vector<Facet>& facets,
+                    const View& view, double reach_px) {
+  const std::vector<Segment2> edges = ScreenEdges(items[item], view);
+  const auto own = std::ranges::equal_range(facets, item, std::less<>(), &Facet::item);
   double sum = 0;
-  for (const Segment2& line : drawn) {
-    sum += DistanceToEdges(line.a, edges, reach_px) + DistanceToEdges(line.b, edges, reach_px);
+  for (const Vec2& end : ends) {
+    const bool over =
+        std::ranges::any_of(own, [&](const Facet& facet) { return IsOver(end, facet, view); });
+    sum += DistanceToEdges(end, edges, over ? reach_px / 2 : reach_px);
   }
-  return sum / (2.0 * static_cast<double>(drawn.size()));
+  return sum / static_cast<double>(ends.size());
 }
 
 // A box on the screen, empty at first.
@@ -59,23 +70,17 @@ struct ScreenBox {
 
 ScreenBox BoxOf(const grammar::Item& item, const View& view) {
   ScreenBox box;
-  for (const Segment3& edge : grammar::EdgesOf(item)) {
-    const auto screen = view.Project(edge);
-    if (!screen) continue;
-    box.Add(screen->a);
-    box.Add(screen->b);
+  for (const Segment2& edge : ScreenEdges(item, view)) {
+    box.Add(edge.a);
+    box.Add(edge.b);
   }
   return box;
 }
 
-std::vector<size_t> ItemsNear(const std::vector<Segment2>& drawn,
-                              std::span<const grammar::Item> items, const View& view,
-                              double reach_px) {
+std::vector<size_t> ItemsNear(const std::vector<Vec2>& ends, std::span<const grammar::Item> items,
+                              const View& view, double reach_px) {
   ScreenBox sketch;
-  for (const Segment2& line : drawn) {
-    sketch.Add(line.a);
-    sketch.Add(line.b);
-  }
+  for (const Vec2& end : ends) sketch.Add(end);
   std::vector<size_t> near;
   for (size_t i = 0; i < items.size(); ++i) {
     if (BoxOf(items[i], view).Meets(sketch, reach_px)) near.push_back(i);
@@ -83,29 +88,27 @@ std::vector<size_t> ItemsNear(const std::vector<Segment2>& drawn,
   return near;
 }
 
-// The items to compare in full: those whose edges the drawn ends lie nearest to. A rectangle drawn
-// inside a face touches none of its edges, so hidden ones are dropped before they take a place.
-std::vector<Nearness> Shortlist(const std::vector<Segment2>& drawn,
-                                std::span<const grammar::Item> items,
-                                const std::vector<size_t>& near, const View& view,
-                                const TargetParameters& target) {
+// The items near the sketch, those whose edges the drawn ends lie nearest to first.
+std::vector<Nearness> Shortlist(const std::vector<Vec2>& ends, std::span<const grammar::Item> items,
+                                const std::vector<size_t>& near, const std::vector<Facet>& facets,
+                                const View& view, const TargetParameters& target) {
   std::vector<Nearness> list;
   for (const size_t i : near) {
-    list.push_back({i, MeanDistance(drawn, items[i], view, target.reach_px)});
+    list.push_back({i, MeanDistance(ends, i, items, facets, view, target.reach_px)});
   }
-  std::stable_sort(list.begin(), list.end(), [](const Nearness& a, const Nearness& b) {
-    return a.distance_px < b.distance_px;
-  });
+  std::ranges::stable_sort(list, std::less<>(), &Nearness::distance_px);
   return list;
 }
 
-std::vector<Segment2> LikeliestLines(const std::vector<std::vector<StrokeReading>>& strokes) {
-  std::vector<Segment2> lines;
+std::vector<Vec2> LikeliestEnds(const std::vector<std::vector<StrokeReading>>& strokes) {
+  std::vector<Vec2> ends;
   for (const std::vector<StrokeReading>& stroke : strokes) {
-    const std::vector<Segment2>& some = stroke.front().lines;
-    lines.insert(lines.end(), some.begin(), some.end());
+    for (const Segment2& line : stroke.front().lines) {
+      ends.push_back(line.a);
+      ends.push_back(line.b);
+    }
   }
-  return lines;
+  return ends;
 }
 
 }  // namespace
@@ -118,14 +121,14 @@ Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes
   if (const auto fine = Validate(camera); !fine) return tl::unexpected<Error>(fine.error());
   const auto readings = ReadStrokes(strokes, parameters.segmentation, parameters.lines);
   if (!readings) return Fail(readings);
-  const std::vector<Segment2> drawn = LikeliestLines(*readings);
+  const std::vector<Vec2> ends = LikeliestEnds(*readings);
   const View view(camera);
-  const std::vector<size_t> near = ItemsNear(drawn, items, view, target.reach_px);
+  const std::vector<size_t> near = ItemsNear(ends, items, view, target.reach_px);
   const std::vector<Facet> facets = FacetsOf(items, near);
   std::vector<RankedTarget> ranked;
-  int compared = 0;
-  for (const Nearness& candidate : Shortlist(drawn, items, near, view, target)) {
-    if (compared == target.most_compared) break;
+  int checked = 0, compared = 0;
+  for (const Nearness& candidate : Shortlist(ends, items, near, facets, view, target)) {
+    if (compared == target.most_compared || ++checked > target.most_checked) break;
     const double hidden = HiddenShare(candidate.item, facets, view);
     if (hidden >= 1) continue;
     ++compared;

@@ -16,6 +16,7 @@ namespace parti::sketch {
 struct TargetParameters {
   /// Items compared in full, chosen by how near the drawn ends lie to their edges on the screen.
   int most_compared = 10;
+  int most_checked = 100;  ///< of these at most are asked whether they can be seen
   /// An end further from an item's edges than this says nothing more about it [px].
   double reach_px = 60;
   double hidden = 12;     ///< price of an item that is wholly hidden, or seen from behind [nat]

@@ -62,6 +62,13 @@ std::vector<Facet> FacetsOf(std::span<const grammar::Item> items, std::span<cons
   return facets;
 }
 
+bool IsOver(const Vec2& pixel, const Facet& facet, const View& view) {
+  const auto met = Intersect(view.RayThrough(pixel), facet.plane);
+  if (!met) return false;
+  const Vec3 local = facet.scope.ToLocal(*met);
+  return grammar::Contains(facet.outline, Vec2(local.x, local.y));
+}
+
 double HiddenShare(size_t item, const std::vector<Facet>& facets, const View& view) {
   const Vec3& eye = view.camera().eye;
   int hidden = 0, all = 0;

@@ -17,8 +17,11 @@ struct Facet {
   grammar::Polygon outline;
 };
 
-/// The faces of those items, planar items giving themselves.
+/// The faces of those items, in their order, planar items giving themselves.
 std::vector<Facet> FacetsOf(std::span<const grammar::Item> items, std::span<const size_t> which);
+
+/// Whether the ray through a pixel meets the facet in front of the eye.
+bool IsOver(const Vec2& pixel, const Facet& facet, const View& view);
 
 /// Share in [0, 1] of points spread over the item's faces towards the eye that other facets hide;
 /// 1 for an item of which no face looks towards the eye. Touching and coplanar faces hide nothing.
