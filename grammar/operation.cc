@@ -27,7 +27,7 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 
 std::span<const Operation> Operations() {
   static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,
-                                    kOffset,  kTag,   kSymbol, kColor};
+                                   kOffset,  kTag,   kSymbol, kColor};
   return rows;
 }
 
