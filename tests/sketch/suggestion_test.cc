@@ -143,6 +143,31 @@ TEST(Suggest, EqualEndsOfASplitAreTiedAndShareAName) {
   EXPECT_NE(best[0].action.successors[0].symbol, best[0].action.successors[1].symbol);
 }
 
+TEST(Suggest, SizesThatThePenTellsApartAreNotTied) {
+  // A ground floor of 4 m and a top floor of 3 m differ by 5 % of 19 m, and by 20 px.
+  Camera camera;
+  camera.eye = Vec3(42, 17, 47);
+  camera.target = Vec3(10, 8.5, 7);
+  camera.vertical_fov = Angle::Degrees(36);
+  const auto facade = tests::Face({0, 0, 14}, {1, 0, 0}, {0, 0, 1}, 20, 19);
+  int told_apart = 0;
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    Sketch s{facade, camera};
+    for (const double y : {4.0, 16.0}) {
+      s.strokes.push_back(Draw({At(facade, 0, y), At(facade, 20, y)}, camera, kShaky_px,
+                               2 * seed + (y > 5 ? 1 : 0)));
+    }
+    const auto best = Best(s);
+    ASSERT_FALSE(best.empty());
+    EXPECT_EQ(best[0].action.operation->name, "split");
+    const auto parts = grammar::Apply(best[0].action, facade).value();
+    ASSERT_EQ(parts.size(), 3u);
+    EXPECT_NEAR(parts[0].item.scope.size.y, 4, 0.5);
+    told_apart += parts[0].item.scope.size.y > parts[2].item.scope.size.y + 0.3 ? 1 : 0;
+  }
+  EXPECT_GE(told_apart, 9);
+}
+
 TEST(Suggest, EvenLinesAreARepeatFirstAndASplitToo) {
   const auto best = Best(EvenTiles());
   ASSERT_GE(best.size(), 2u);
