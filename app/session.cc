@@ -11,8 +11,6 @@
 namespace parti::app {
 namespace {
 
-using grammar::ShapeTree;
-
 /// Lines drawn in several views belong to the shape that the first view's were drawn on.
 Result<Sketch> ReadOnTarget(const SessionState& state, const sketch::SketchParameters& parameters) {
   Sketch sketch{state.sketch.strokes, state.sketch.target, {}, {}};

@@ -23,7 +23,7 @@ TEST(Random, UniformFillsItsIntervalEvenly) {
     ASSERT_LT(u, 6);
     below += u < 0 ? 1 : 0;
   }
-  EXPECT_NEAR(below, kDraws / 4, 700);  // five standard deviations
+  EXPECT_NEAR(below, kDraws / 4.0, 700);  // five standard deviations
 }
 
 TEST(Random, NormalHasMeanZeroAndDeviationOne) {
