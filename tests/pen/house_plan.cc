@@ -108,7 +108,7 @@ input::Drawing HouseDrawing(uint64_t seed, const PenModelParameters& parameters)
   const DeviceFacts tablet = Tablet();
   Random random(seed);
   input::Drawing drawing;
-  drawing.events.push_back(DeviceEvent{DeviceEvent::Kind::kAdded, 0, 0, tablet});
+  drawing.events.emplace_back(DeviceEvent{DeviceEvent::Kind::kAdded, 0, 0, tablet});
   double t_s = 0.5;
   int strokes = 0;
   const Camera* seen = nullptr;

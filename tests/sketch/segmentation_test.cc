@@ -167,7 +167,8 @@ TEST(SegmentStroke, AHugeScribbleStaysWellFormedAndBounded) {
   Random random(3);
   Stroke stroke;
   for (int i = 0; i < 100'000; ++i) {
-    stroke.push_back({Vec2(random.Uniform(0, 500), random.Uniform(0, 500)), 1e-3 * (i / 3)});
+    const int batch = i / 3;
+    stroke.push_back({Vec2(random.Uniform(0, 500), random.Uniform(0, 500)), 1e-3 * batch});
   }
   const Segmentation s = Segmented(stroke);
   ExpectWellFormed(s, stroke);
