@@ -28,29 +28,29 @@ Item MassOf(const char* outline) { return Apply(Extrude(12), Lot(outline))->fron
 const Action kFloors = Split(Axis::kY, {Metres(4, "Ground"), Group({Floating(3, "Floor")})});
 const Action kTiles = Repeat(Axis::kX, {Floating(0.2, "Tile")});
 
-void BM_ExtrudeRectangle(benchmark::State& s) { Run(s, Extrude(12), Lot(kRectangle)); }
-void BM_ExtrudeHouse(benchmark::State& s) { Run(s, Extrude(12), Lot(kHouse)); }
-void BM_CompBox(benchmark::State& s) { Run(s, AllFaces(), MassOf(kRectangle)); }
-void BM_CompHouse(benchmark::State& s) { Run(s, AllFaces(), MassOf(kHouse)); }
-void BM_SplitBox(benchmark::State& s) { Run(s, kFloors, MassOf(kRectangle)); }
-void BM_SplitHouse(benchmark::State& s) { Run(s, kFloors, MassOf(kHouse)); }
-void BM_Tile100Rectangle(benchmark::State& s) { Run(s, kTiles, Lot(kRectangle)); }
-void BM_Tile105House(benchmark::State& s) { Run(s, kTiles, Lot(kHouse)); }
-void BM_OffsetRectangle(benchmark::State& s) { Run(s, OffsetBy(-1), Lot(kRectangle)); }
-void BM_OffsetHouse(benchmark::State& s) { Run(s, OffsetBy(-1), Lot(kHouse)); }
-void BM_OffsetHouseOutward(benchmark::State& s) { Run(s, OffsetBy(1), Lot(kHouse)); }
+void BenchExtrudeRectangle(benchmark::State& s) { Run(s, Extrude(12), Lot(kRectangle)); }
+void BenchExtrudeHouse(benchmark::State& s) { Run(s, Extrude(12), Lot(kHouse)); }
+void BenchCompBox(benchmark::State& s) { Run(s, AllFaces(), MassOf(kRectangle)); }
+void BenchCompHouse(benchmark::State& s) { Run(s, AllFaces(), MassOf(kHouse)); }
+void BenchSplitBox(benchmark::State& s) { Run(s, kFloors, MassOf(kRectangle)); }
+void BenchSplitHouse(benchmark::State& s) { Run(s, kFloors, MassOf(kHouse)); }
+void BenchTile100Rectangle(benchmark::State& s) { Run(s, kTiles, Lot(kRectangle)); }
+void BenchTile105House(benchmark::State& s) { Run(s, kTiles, Lot(kHouse)); }
+void BenchOffsetRectangle(benchmark::State& s) { Run(s, OffsetBy(-1), Lot(kRectangle)); }
+void BenchOffsetHouse(benchmark::State& s) { Run(s, OffsetBy(-1), Lot(kHouse)); }
+void BenchOffsetHouseOutward(benchmark::State& s) { Run(s, OffsetBy(1), Lot(kHouse)); }
 
-BENCHMARK(BM_ExtrudeRectangle);
-BENCHMARK(BM_ExtrudeHouse);
-BENCHMARK(BM_CompBox);
-BENCHMARK(BM_CompHouse);
-BENCHMARK(BM_SplitBox);
-BENCHMARK(BM_SplitHouse);
-BENCHMARK(BM_Tile100Rectangle);
-BENCHMARK(BM_Tile105House);
-BENCHMARK(BM_OffsetRectangle);
-BENCHMARK(BM_OffsetHouse)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_OffsetHouseOutward)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BenchExtrudeRectangle);
+BENCHMARK(BenchExtrudeHouse);
+BENCHMARK(BenchCompBox);
+BENCHMARK(BenchCompHouse);
+BENCHMARK(BenchSplitBox);
+BENCHMARK(BenchSplitHouse);
+BENCHMARK(BenchTile100Rectangle);
+BENCHMARK(BenchTile105House);
+BENCHMARK(BenchOffsetRectangle);
+BENCHMARK(BenchOffsetHouse)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BenchOffsetHouseOutward)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace parti::grammar::tests

@@ -15,7 +15,7 @@ Camera TownCamera(int n) {
 }
 
 /// A town of n x n plots and about 10 storeys each, uploaded and drawn.
-void BM_DrawScene(benchmark::State& state) {
+void BenchDrawScene(benchmark::State& state) {
   const auto target = static_cast<OffscreenTarget>(state.range(1));
   auto renderer = OffscreenRenderer::Create(target);
   if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
@@ -31,7 +31,7 @@ void BM_DrawScene(benchmark::State& state) {
   state.counters["shapes"] = static_cast<double>(scene.faces.size());
   state.SetLabel(std::string((*renderer)->name()));
 }
-BENCHMARK(BM_DrawScene)
+BENCHMARK(BenchDrawScene)
     ->ArgNames({"plots", "target"})
     ->Args({1, 1})
     ->Args({32, 1})
@@ -41,7 +41,7 @@ BENCHMARK(BM_DrawScene)
     ->MeasureProcessCPUTime()  // of the rasteriser's threads too
     ->UseRealTime();
 
-void BM_DrawIds(benchmark::State& state) {
+void BenchDrawIds(benchmark::State& state) {
   auto renderer = OffscreenRenderer::Create();
   if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
   const Scene scene = tests::Town(32, 10);
@@ -51,7 +51,7 @@ void BM_DrawIds(benchmark::State& state) {
     benchmark::DoNotOptimize(ids->data());
   }
 }
-BENCHMARK(BM_DrawIds)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(BenchDrawIds)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace parti::render

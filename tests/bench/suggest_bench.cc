@@ -19,7 +19,7 @@ Result<app::SketchTask> TaskNamed(const std::string& name) {
   return app::SketchTaskFrom(*json);
 }
 
-void BM_Suggest(benchmark::State& state, const std::string& name) {
+void BenchSuggest(benchmark::State& state, const std::string& name) {
   const auto task = TaskNamed(name);
   if (!task) return state.SkipWithError(task.error().message.c_str());
   for (auto _ : state) {
@@ -28,20 +28,21 @@ void BM_Suggest(benchmark::State& state, const std::string& name) {
     benchmark::DoNotOptimize(found->data());
   }
 }
-BENCHMARK_CAPTURE(BM_Suggest, extrude, "extrude")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Suggest, split, "split")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Suggest, comp, "comp")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Suggest, concave, "concave")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BenchSuggest, extrude, "extrude")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BenchSuggest, split, "split")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BenchSuggest, comp, "comp")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BenchSuggest, concave, "concave")->Unit(benchmark::kMillisecond);
 
 /// n x n lots in a plane, of which the task's is one.
-void BM_RankTargets(benchmark::State& state) {
+void BenchRankTargets(benchmark::State& state) {
   const auto task = TaskNamed("extrude");
   if (!task) return state.SkipWithError(task.error().message.c_str());
   const int n = static_cast<int>(state.range(0));
   std::vector<grammar::Item> items;
   for (int i = 0; i < n * n; ++i) {
     items.push_back(task->item);
-    items.back().scope.origin += Vec3(24.0 * (i % n), 0, -16.0 * (i / n));
+    const int column = i % n, row = i / n;
+    items.back().scope.origin += Vec3(24.0 * column, 0, -16.0 * row);
   }
   for (auto _ : state) {
     auto ranked = RankTargets(task->strokes, task->camera, items);
@@ -49,7 +50,7 @@ void BM_RankTargets(benchmark::State& state) {
     benchmark::DoNotOptimize(ranked->data());
   }
 }
-BENCHMARK(BM_RankTargets)->Arg(1)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchRankTargets)->Arg(1)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace parti::sketch

@@ -128,7 +128,8 @@ Scene HouseWithSketch(const Camera& camera) {
 Scene Town(int n, int storeys) {
   Scene scene;
   for (int i = 0; i < n * n; ++i) {
-    const float x = 6.0f * static_cast<float>(i % n), z = 6.0f * static_cast<float>(i / n);
+    const auto column = i % n, row = i / n;
+    const float x = 6.0f * static_cast<float>(column), z = 6.0f * static_cast<float>(row);
     const int high = 1 + (i * 7 + i / n * 3) % (2 * storeys - 1);  // storeys on average
     for (int s = 0; s < high; ++s) {
       const float y = 3.0f * static_cast<float>(s);
