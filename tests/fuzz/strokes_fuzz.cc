@@ -11,7 +11,7 @@ namespace {
 
 void CheckWhole(const parti::sketch::Segmentation& answer, const parti::Stroke& stroke) {
   CHECK(answer.corners.size() == answer.segments.size() + 1, "a segment between two corners");
-  CHECK(answer.segments.size() >= 1, "at least one segment");
+  CHECK(!answer.segments.empty(), "at least one segment");
   CHECK(answer.corners.front() == 0, "the first sample is a corner");
   CHECK(answer.corners.back() + 1 == static_cast<int>(stroke.size()), "and so is the last");
   for (size_t i = 0; i < answer.segments.size(); ++i) {
