@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "grammar/utf8.h"
+#include "base/utf8.h"
 
 namespace parti::app {
 namespace {
@@ -55,7 +55,7 @@ bool IsWeldable(const Vec3& p) {
 
 std::string NameFrom(const std::string& symbol) {
   if (symbol.empty()) return "Unnamed";
-  if (grammar::IsUtf8(symbol)) return symbol;
+  if (IsUtf8(symbol)) return symbol;
   std::string name = symbol;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return (c & 0x80) != 0; }, '_');

@@ -1,15 +1,29 @@
 #include "app/tablet_mapping.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace parti::app {
 
-TabletMapping::TabletMapping(const DeviceFacts& device, const Camera& camera) {
+TabletMapping::TabletMapping(const DeviceFacts& device, const Camera& camera,
+                             const MappingOptions& options)
+    : px_per_mm_(device.view_px_per_mm.value_or(0)), origin_px_(0, 0) {
+  if (device.view_px_per_mm) return;
   Vec2 size = device.size_mm.value_or(kUsualSize_mm);
   if (!(size.x > 0 && size.y > 0)) size = kUsualSize_mm;
+  if (options.own_output) {
+    px_per_mm_ = options.own_output->size_px / size;
+    origin_px_ = options.own_output->origin_px;
+    return;
+  }
   const Vec2 view(camera.width_px, camera.height_px);
-  px_per_mm_ = std::max(view.x / size.x, view.y / size.y);
+  px_per_mm_ = Vec2(std::max(view.x / size.x, view.y / size.y));
+  if (options.left_handed) px_per_mm_ = -px_per_mm_;
   origin_px_ = (view - size * px_per_mm_) * 0.5;
+}
+
+double TabletMapping::px_per_mm() const {
+  return (std::abs(px_per_mm_.x) + std::abs(px_per_mm_.y)) * 0.5;
 }
 
 Vec2 TabletMapping::ToView_px(const Vec2& tablet_mm) const {

@@ -3,6 +3,8 @@
 // of the tablet lies outside, evenly on both edges.
 #pragma once
 
+#include <optional>
+
 #include "base/camera.h"
 #include "base/event.h"
 #include "base/stroke.h"
@@ -10,16 +12,40 @@
 
 namespace parti::app {
 
+/// Part of the view [px], from its top left corner.
+struct ViewRect {
+  Vec2 origin_px{0, 0};
+  Vec2 size_px{0, 0};  ///< > 0 in both
+
+  bool operator==(const ViewRect&) const = default;
+};
+
+/// How one user and one desk want a tablet.
+struct MappingOptions {
+  /// The tablet lies turned by 180 degrees, its buttons under the other hand. Says nothing for
+  /// display tablets and for devices that point into the view, whose picture does not turn.
+  bool left_handed = false;
+  /// Where the picture of a display tablet lies in the view: its surface is that rectangle, corner
+  /// to corner, so that ink is under the tip. Absent: an opaque tablet, mapped into the whole view.
+  std::optional<ViewRect> own_output = {};
+
+  bool operator==(const MappingOptions&) const = default;
+};
+
 /// One device in one view.
 class TabletMapping {
  public:
-  /// size_mm > 0. A device that does not say its size is taken for kUsualSize_mm.
-  TabletMapping(const DeviceFacts& device, const Camera& camera);
+  /// A device that does not say its size (or says none > 0) is taken for kUsualSize_mm. One with
+  /// `view_px_per_mm` points into the view: that is its mapping, whatever its size and the options.
+  TabletMapping(const DeviceFacts& device, const Camera& camera,
+                const MappingOptions& options = {});
 
   /// Each undoes the other.
   Vec2 ToView_px(const Vec2& tablet_mm) const;
   Vec2 ToTablet_mm(const Vec2& view_px) const;
-  double px_per_mm() const { return px_per_mm_; }
+
+  /// Of a display tablet the mean of both directions, which are equal but for rounding.
+  double px_per_mm() const;
 
   /// Samples in view pixels; times and pressures unchanged.
   Stroke ToView(const input::PenStroke& stroke) const;
@@ -27,7 +53,7 @@ class TabletMapping {
   static constexpr Vec2 kUsualSize_mm{216, 135};  ///< a medium pen tablet, 16:10
 
  private:
-  double px_per_mm_;
+  Vec2 px_per_mm_;  ///< to the right and down; negative: turned
   Vec2 origin_px_;  ///< of the tablet's top left corner
 };
 

@@ -11,7 +11,7 @@
 
 namespace parti {
 
-/// What is known of a pen tablet or touch screen.
+/// What is known of a pen tablet, touch screen, mouse or keyboard.
 struct DeviceFacts {
   std::string name;
   uint32_t vendor = 0;
@@ -23,6 +23,12 @@ struct DeviceFacts {
   bool has_tilt = false;
   bool has_distance = false;
   bool has_eraser = false;
+  bool has_pointer = false;  ///< a mouse: its events are PenEvents of tool kMouse and ScrollEvents
+  bool has_keys = false;
+  /// Set for devices that point into the view itself (mice, pens and fingers of a window system):
+  /// their millimetres times this are view pixels from the view's top left. Without it the surface
+  /// is the device's own, and mapping it into the view is the app's.
+  std::optional<double> view_px_per_mm;
 
   bool operator==(const DeviceFacts&) const = default;
 };
@@ -42,6 +48,9 @@ struct DeviceEvent {
 enum class PenTool : uint8_t { kPen, kEraser, kBrush, kPencil, kAirbrush, kMouse };
 
 /// One pen report. The axes are the state after it, whatever it was sent for.
+///
+/// A mouse reports likewise, with tool kMouse: its left button is kDown and kUp, the others kButton
+/// with their evdev codes (BTN_RIGHT, BTN_MIDDLE …), and moving is kMotion, pressed or not.
 struct PenEvent {
   enum class Kind : uint8_t { kProximityIn, kProximityOut, kDown, kUp, kMotion, kButton };
   Kind kind = Kind::kMotion;
@@ -76,10 +85,22 @@ struct KeyEvent {
   double t_s = 0;
   uint32_t code = 0;  ///< evdev KEY_*
   bool pressed = false;
+  std::string text = {};  ///< UTF-8: what the press types; empty for keys that type nothing
+  bool repeat = false;    ///< a press that was not made anew: the key is still held
 
   bool operator==(const KeyEvent&) const = default;
 };
 
-using InputEvent = std::variant<DeviceEvent, PenEvent, TouchEvent, KeyEvent>;
+/// A wheel was turned, or two fingers moved on a touchpad.
+struct ScrollEvent {
+  int device = 0;
+  double t_s = 0;
+  Vec2 position_mm{0, 0};  ///< of the pointer, as in PenEvent
+  Vec2 steps{0, 0};        ///< notches, or parts of them; x to the right, y towards the user
+
+  bool operator==(const ScrollEvent&) const = default;
+};
+
+using InputEvent = std::variant<DeviceEvent, PenEvent, TouchEvent, KeyEvent, ScrollEvent>;
 
 }  // namespace parti

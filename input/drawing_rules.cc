@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/utf8.h"
+
 namespace parti::input {
 namespace {
 
@@ -30,6 +32,11 @@ Result<void> CheckNumbers(const DeviceEvent& event) {
   if (event.facts.name.size() > Limits::kNameBytes) {
     return Fail(ErrorCode::kBadArguments,
                 fmt::format("a device's name is longer than {} bytes", Limits::kNameBytes));
+  }
+  if (const auto scale = event.facts.view_px_per_mm) {
+    constexpr double kLeast = 1 / Limits::kPixelsPerMm;
+    auto fine = CheckRange("a view's pixels per mm", *scale, kLeast, Limits::kPixelsPerMm);
+    if (!fine) return fine;
   }
   if (!event.facts.size_mm) return {};
   for (const double value : {event.facts.size_mm->x, event.facts.size_mm->y}) {
@@ -58,7 +65,20 @@ Result<void> CheckNumbers(const TouchEvent& event) {
 }
 
 Result<void> CheckNumbers(const KeyEvent& event) {
+  if (event.text.size() > Limits::kTextBytes || !IsUtf8(event.text)) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("a key's text is not UTF-8 of at most {} bytes", Limits::kTextBytes));
+  }
   return CheckRange("a key's code", event.code, 0, Limits::kEvdevCode);
+}
+
+Result<void> CheckNumbers(const ScrollEvent& event) {
+  for (const double steps : {event.steps.x, event.steps.y}) {
+    if (auto fine = CheckRange("a wheel's steps", steps, -Limits::kSteps, Limits::kSteps); !fine) {
+      return fine;
+    }
+  }
+  return CheckPosition(event.position_mm);
 }
 
 Result<void> CheckTime(double t_s, double previous_s) {

@@ -21,6 +21,9 @@ struct DrawingLimits {
   static constexpr double kTiltDegrees = 90;
   static constexpr uint32_t kEvdevCode = 0xffff;  ///< of buttons and keys: evdev's are 16 bits
   static constexpr size_t kNameBytes = 1'000;     ///< of a device's name
+  static constexpr size_t kTextBytes = 256;       ///< that one key types
+  static constexpr double kSteps = 1'000;         ///< of a wheel in one report
+  static constexpr double kPixelsPerMm = 1e4;     ///< of a view; more than 0
 };
 
 /// Value-typed state of a drawing so far.
@@ -29,7 +32,8 @@ class DrawingRules {
   /// The next event of the stream.
   /// errors  kBadNumber      a number is not finite or outside the limits, or a time is before its
   ///                         predecessor's;
-  ///         kBadArguments   a device that is used before it was added, added twice or gone.
+  ///         kBadArguments   a device that is used before it was added, added twice or gone; a
+  ///                         key's text that is too long or not UTF-8.
   Result<void> Take(const InputEvent& event);
 
   /// A command at this place of the stream.

@@ -17,18 +17,21 @@ inline constexpr std::array<std::string_view, 6> kPenTools{"pen",    "eraser",  
                                                            "pencil", "airbrush", "mouse"};
 inline constexpr std::array<std::string_view, 4> kTouchKinds{"down", "move", "up", "cancel"};
 inline constexpr std::array<std::string_view, 2> kKeyKinds{"release", "press"};
+inline constexpr std::array<std::string_view, 1> kScrollKinds{"wheel"};
 
 /// The features of a device that are just there or not, by their word.
 struct Feature {
   std::string_view word;
   bool DeviceFacts::*flag;
 };
-inline constexpr std::array<Feature, 6> kFeatures{{{"pen", &DeviceFacts::has_pen},
+inline constexpr std::array<Feature, 8> kFeatures{{{"pen", &DeviceFacts::has_pen},
                                                    {"touch", &DeviceFacts::has_touch},
                                                    {"pressure", &DeviceFacts::has_pressure},
                                                    {"tilt", &DeviceFacts::has_tilt},
                                                    {"distance", &DeviceFacts::has_distance},
-                                                   {"eraser", &DeviceFacts::has_eraser}}};
+                                                   {"eraser", &DeviceFacts::has_eraser},
+                                                   {"pointer", &DeviceFacts::has_pointer},
+                                                   {"keys", &DeviceFacts::has_keys}}};
 
 /// The word of a value.
 template <size_t n, typename Enum>

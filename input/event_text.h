@@ -14,7 +14,7 @@ namespace parti::input {
 /// many digits as it takes to read the same double again.
 std::string EventText(const InputEvent& event);
 
-/// Whether a line's first word makes it an event's line: device, pen, touch or key.
+/// Whether a line's first word makes it an event's line: device, pen, touch, key or scroll.
 bool IsEventWord(std::string_view word);
 
 /// Property  ReadEvent(EventText(e)) == e for every event of finite numbers.

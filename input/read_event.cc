@@ -13,7 +13,7 @@
 namespace parti::input {
 namespace {
 
-constexpr std::array<std::string_view, 4> kEventWords{"device", "pen", "touch", "key"};
+constexpr std::array<std::string_view, 5> kEventWords{"device", "pen", "touch", "key", "scroll"};
 constexpr int kAnyInt = std::numeric_limits<int>::max();
 
 /// What every event's line begins with: `WORD DEVICE KIND TIME`.
@@ -47,8 +47,8 @@ Result<Head> ReadHead(LineScanner& line, const std::array<std::string_view, n>& 
   return head;
 }
 
-Result<Vec2> ReadPosition(LineScanner& line) {
-  const auto word = line.Next("the position");
+Result<Vec2> ReadPair(LineScanner& line, std::string_view what) {
+  const auto word = line.Next(what);
   if (!word) return Fail(word);
   return PairIn(line, *word);
 }
@@ -59,6 +59,12 @@ Result<void> Store(const Result<From>& value, To* to) {
   if (!value) return Fail(value);
   *to = static_cast<To>(*value);
   return {};
+}
+
+std::vector<std::string_view> FeatureWords() {
+  std::vector<std::string_view> words;
+  for (const Feature& feature : kFeatures) words.push_back(feature.word);
+  return words;
 }
 
 Result<void> ReadAttribute(const LineScanner& line, const Attribute& attribute,
@@ -78,10 +84,12 @@ Result<void> ReadAttribute(const LineScanner& line, const Attribute& attribute,
     return Store(HexIn(line, attribute.value), &facts->product);
   } else if (key == "size_mm") {
     return Store(PairIn(line, attribute.value), &facts->size_mm);
+  } else if (key == "view_px_per_mm") {
+    return Store(NumberIn(line, attribute.value), &facts->view_px_per_mm);
   }
   return line.FailAt(attribute.key, "an unknown device fact",
-                     "known are name= vendor= product= size_mm= pen touch pressure tilt distance "
-                     "eraser");
+                     fmt::format("known are name= vendor= product= size_mm= view_px_per_mm= {}",
+                                 fmt::join(FeatureWords(), " ")));
 }
 
 Result<void> ReadAttribute(const LineScanner& line, const Attribute& attribute, PenEvent* event) {
@@ -119,6 +127,18 @@ Result<void> ReadAttribute(const LineScanner& line, const Attribute& attribute, 
   return line.FailAt(attribute.key, "an unknown fact of a touch", "known is finger=");
 }
 
+Result<void> ReadAttribute(const LineScanner& line, const Attribute& attribute, KeyEvent* event) {
+  const std::string_view key = attribute.key.text;
+  if (key == "text" && attribute.has_value) {
+    return Store(UnquotedIn(line, attribute.value), &event->text);
+  }
+  if (key == "repeat" && !attribute.has_value) {
+    event->repeat = true;
+    return {};
+  }
+  return line.FailAt(attribute.key, "an unknown fact of a key", "known are text= and repeat");
+}
+
 /// The rest of a line as attributes, none of them twice.
 template <typename Value>
 Result<void> ReadAttributes(LineScanner& line, Value* value) {
@@ -151,7 +171,7 @@ Result<InputEvent> ReadPen(LineScanner& line) {
   event.kind = static_cast<PenEvent::Kind>(head->kind);
   event.device = head->device;
   event.t_s = head->t_s;
-  auto fine = Store(ReadPosition(line), &event.position_mm);
+  auto fine = Store(ReadPair(line, "the position"), &event.position_mm);
   if (fine) fine = ReadAttributes(line, &event);
   if (!fine) return Fail(fine);
   return event;
@@ -164,7 +184,7 @@ Result<InputEvent> ReadTouch(LineScanner& line) {
   event.kind = static_cast<TouchEvent::Kind>(head->kind);
   event.device = head->device;
   event.t_s = head->t_s;
-  auto fine = Store(ReadPosition(line), &event.position_mm);
+  auto fine = Store(ReadPair(line, "the position"), &event.position_mm);
   if (fine) fine = ReadAttributes(line, &event);
   if (!fine) return Fail(fine);
   return event;
@@ -177,8 +197,20 @@ Result<InputEvent> ReadKey(LineScanner& line) {
   if (!word) return Fail(word);
   const auto code = IntegerIn(line, *word, 0, kAnyInt);
   if (!code) return Fail(code);
-  if (!line.AtEnd()) return line.FailAt(line.Rest(), "words after the key's code");
-  return KeyEvent{head->device, head->t_s, static_cast<uint32_t>(*code), head->kind == 1};
+  KeyEvent event{head->device, head->t_s, static_cast<uint32_t>(*code), head->kind == 1};
+  if (auto fine = ReadAttributes(line, &event); !fine) return Fail(fine);
+  return event;
+}
+
+Result<InputEvent> ReadScroll(LineScanner& line) {
+  const auto head = ReadHead(line, kScrollKinds);
+  if (!head) return Fail(head);
+  ScrollEvent event{.device = head->device, .t_s = head->t_s};
+  auto fine = Store(ReadPair(line, "the position"), &event.position_mm);
+  if (fine) fine = Store(ReadPair(line, "the number of steps"), &event.steps);
+  if (!fine) return Fail(fine);
+  if (!line.AtEnd()) return line.FailAt(line.Rest(), "words after the steps");
+  return event;
 }
 
 }  // namespace
@@ -193,8 +225,9 @@ Result<InputEvent> ReadEvent(std::string_view text) {
   if (word->text == "pen") return ReadPen(line);
   if (word->text == "touch") return ReadTouch(line);
   if (word->text == "key") return ReadKey(line);
+  if (word->text == "scroll") return ReadScroll(line);
   return line.FailAt(*word, "an unknown kind of line",
-                     "lines begin with device, pen, touch, key, after or end");
+                     "lines begin with device, pen, touch, key, scroll, after or end");
 }
 
 }  // namespace parti::input

@@ -15,6 +15,7 @@ std::string Text(const DeviceEvent& e) {
                                  NameOf(kDeviceKinds, e.kind), e.t_s, Quoted(e.facts.name),
                                  e.facts.vendor, e.facts.product);
   if (e.facts.size_mm) line += " size_mm=" + PairText(*e.facts.size_mm);
+  if (e.facts.view_px_per_mm) line += fmt::format(" view_px_per_mm={}", *e.facts.view_px_per_mm);
   for (const Feature& feature : kFeatures) {
     if (e.facts.*feature.flag) line.append(" ").append(feature.word);
   }
@@ -39,7 +40,16 @@ std::string Text(const TouchEvent& e) {
 }
 
 std::string Text(const KeyEvent& e) {
-  return fmt::format("key {} {} {} {}", e.device, NameOf(kKeyKinds, e.pressed), e.t_s, e.code);
+  std::string line =
+      fmt::format("key {} {} {} {}", e.device, NameOf(kKeyKinds, e.pressed), e.t_s, e.code);
+  if (!e.text.empty()) line += " text=" + Quoted(e.text);
+  if (e.repeat) line += " repeat";
+  return line;
+}
+
+std::string Text(const ScrollEvent& e) {
+  return fmt::format("scroll {} {} {} {} {}", e.device, kScrollKinds[0], e.t_s,
+                     PairText(e.position_mm), PairText(e.steps));
 }
 
 }  // namespace

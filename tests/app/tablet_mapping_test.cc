@@ -52,6 +52,42 @@ TEST(TabletMappingTest, ADeviceWithoutASizeIsTakenForAUsualTablet) {
   EXPECT_EQ(TabletMapping(Tablet(0, 0), View(1600, 1000)).px_per_mm(), usual.px_per_mm());
 }
 
+TEST(TabletMappingTest, ADeviceThatPointsIntoTheViewIsTakenAtItsWord) {
+  DeviceFacts mouse = Tablet(50, 20);
+  mouse.view_px_per_mm = 4;
+  for (const bool left_handed : {false, true}) {
+    const TabletMapping mapping(
+        mouse, View(1600, 1000),
+        {.left_handed = left_handed, .own_output = ViewRect{{5, 5}, {9, 9}}});
+    EXPECT_EQ(mapping.ToView_px({100, 50}), Vec2(400, 200));
+    EXPECT_EQ(mapping.ToTablet_mm({400, 200}), Vec2(100, 50));
+    EXPECT_EQ(mapping.px_per_mm(), 4);
+  }
+}
+
+TEST(TabletMappingTest, ATurnedTabletIsTheSameTurnedBy180Degrees) {
+  const DeviceFacts tablet = Tablet(320, 300);
+  const TabletMapping usual(tablet, View(1600, 1000));
+  const TabletMapping turned(tablet, View(1600, 1000), {.left_handed = true});
+  EXPECT_EQ(turned.px_per_mm(), usual.px_per_mm());
+  for (const Vec2 mm : {Vec2(0, 0), Vec2(33, 77), Vec2(320, 300)}) {
+    EXPECT_LT(glm::distance(turned.ToView_px(mm), usual.ToView_px(*tablet.size_mm - mm)), 1e-9);
+    EXPECT_LT(glm::distance(turned.ToTablet_mm(turned.ToView_px(mm)), mm), 1e-9);
+  }
+}
+
+TEST(TabletMappingTest, ADisplayTabletIsItsOwnOutputCornerToCorner) {
+  const ViewRect output{{1600, 100}, {1920, 1080}};
+  for (const bool left_handed : {false, true}) {
+    const TabletMapping mapping(Tablet(344, 194), View(3520, 1200),
+                                {.left_handed = left_handed, .own_output = output});
+    EXPECT_EQ(mapping.ToView_px({0, 0}), output.origin_px);
+    EXPECT_LT(glm::distance(mapping.ToView_px({344, 194}), output.origin_px + output.size_px),
+              1e-9);
+    EXPECT_NEAR(mapping.px_per_mm(), 1920 / 344.0, 0.02);
+  }
+}
+
 TEST(TabletMappingTest, TimesAndPressuresStay) {
   input::PenStroke stroke;
   stroke.samples = {{{1, 2}, 3.5, 0.25, {}}, {{2, 2}, 3.6, {}, {}}};

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "grammar/utf8.h"
+#include "base/utf8.h"
 
 namespace parti::grammar {
 namespace {

@@ -79,6 +79,27 @@ TEST(Drawing, ExampleOfTheDocumentationIsReadWhole) {
   EXPECT_THAT(reading.drawing.commands, SizeIs(2));
 }
 
+TEST(Drawing, MiceAndKeyboardsAreReadWithAllTheySay) {
+  const DrawingReading reading = ReadDrawing(
+      "parti-drawing 1\n"
+      "device 0 added 0 name=\"Mouse\" vendor=046d product=c077 view_px_per_mm=3.5 pointer\n"
+      "device 1 added 0 name=\"Keys\" vendor=046d product=c31c keys\n"
+      "pen 0 down 1 10,20 tool=mouse\n"
+      "scroll 0 wheel 2 10,20 0.5,-1\n"
+      "key 1 press 3 18 text=\"é\\\"\" repeat\n"
+      "end\n");
+  ASSERT_FALSE(reading.damage) << FormatError(*reading.damage);
+  const auto& events = reading.drawing.events;
+  ASSERT_THAT(events, SizeIs(5));
+  const DeviceFacts& mouse = std::get<DeviceEvent>(events[0]).facts;
+  EXPECT_TRUE(mouse.has_pointer);
+  EXPECT_EQ(mouse.view_px_per_mm, 3.5);
+  EXPECT_TRUE(std::get<DeviceEvent>(events[1]).facts.has_keys);
+  EXPECT_EQ(std::get<PenEvent>(events[2]).tool, PenTool::kMouse);
+  EXPECT_EQ(events[3], InputEvent(ScrollEvent{0, 2, {10, 20}, {0.5, -1}}));
+  EXPECT_EQ(events[4], InputEvent(KeyEvent{1, 3, 18, true, "é\"", true}));
+}
+
 TEST(Drawing, CarriageReturnsOfOtherSystemsAreNoDamage) {
   std::string text;
   for (const char c : std::string(kExample)) text += c == '\n' ? "\r\n" : std::string(1, c);
@@ -210,7 +231,15 @@ INSTANTIATE_TEST_SUITE_P(
                       BadLine{"pen -1 move 2 1,1", 5, "not a whole number"},
                       BadLine{"pen 0 button 2 1,1 button=70000", 1, "a button's code"},
                       BadLine{"touch 0 down 2 1,1 finger=x", 27, "not a whole number"},
-                      BadLine{"key 0 press 2 30 31", 18, "words after the key's code"},
+                      BadLine{"key 0 press 2 30 31", 18, "unknown fact of a key"},
+                      BadLine{"key 0 press 2 30 text=\"\xc3\"", 1, "not UTF-8"},
+                      BadLine{"key 0 press 2 30 text=a", 23, "not a text in double quotes"},
+                      BadLine{"key 0 press 2 30 repeat repeat", 25, "repeat is given twice"},
+                      BadLine{"scroll 0 wheel 2 1,1", 21, "the number of steps is missing"},
+                      BadLine{"scroll 0 wheel 2 1,1 0,2000", 1, "a wheel's steps"},
+                      BadLine{"scroll 0 wheel 2 1,1 0,1 0,1", 26, "words after the steps"},
+                      BadLine{"scroll 0 spin 2 1,1 0,1", 10, "unknown kind of event"},
+                      BadLine{"device 1 added 2 view_px_per_mm=0", 1, "a view's pixels per mm"},
                       BadLine{"device 0 added 2", 1, "added out of turn"},
                       BadLine{"device 7 added 2", 1, "added out of turn"},
                       BadLine{"device 1 added 2 name=Pen", 23, "not a text in double quotes"},

@@ -1,5 +1,6 @@
 #include "tests/support/events.h"
 
+#include <array>
 #include <string>
 
 #include "base/stroke.h"
@@ -28,6 +29,9 @@ DeviceFacts AnyFacts() {
   facts.has_tilt = Coin();
   facts.has_distance = Coin();
   facts.has_eraser = Coin();
+  facts.has_pointer = Coin();
+  facts.has_keys = Coin();
+  if (Coin()) facts.view_px_per_mm = Number(0.5, 40);
   return facts;
 }
 
@@ -44,14 +48,24 @@ PenEvent AnyPenEvent(int device, double t_s) {
   return event;
 }
 
+KeyEvent AnyKeyEvent(int device, double t_s) {
+  KeyEvent event{device, t_s, static_cast<uint32_t>(Int(1, 0x2ff)), Coin()};
+  static constexpr std::array<const char*, 6> kTexts{"", "a", "\"", "\\ ", "é漢😀", "\x1b\t"};
+  event.text = kTexts[static_cast<size_t>(Int(0, kTexts.size() - 1))];
+  event.repeat = Coin();
+  return event;
+}
+
 InputEvent AnyEvent(int devices, double t_s) {
   const int device = Int(0, devices - 1);
-  switch (Int(0, 5)) {
+  switch (Int(0, 6)) {
     case 0:
       return TouchEvent{static_cast<TouchEvent::Kind>(Int(0, 3)), device, Int(0, 9), t_s,
                         Position()};
     case 1:
-      return KeyEvent{device, t_s, static_cast<uint32_t>(Int(1, 0x2ff)), Coin()};
+      return AnyKeyEvent(device, t_s);
+    case 2:
+      return ScrollEvent{device, t_s, Position(), {Number(-3, 3), Number(-3, 3)}};
     default:
       return AnyPenEvent(device, t_s);
   }

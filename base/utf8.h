@@ -1,11 +1,11 @@
-// UTF-8, as far as a lexer needs it: one code point at a time, and which of them are letters.
-// Not responsible for normal forms: names are compared byte by byte.
+// UTF-8, as far as a lexer and typed text need it: one code point at a time, and which of them are
+// letters. Not responsible for normal forms: names are compared byte by byte.
 #pragma once
 
 #include <cstddef>
 #include <string_view>
 
-namespace parti::grammar {
+namespace parti {
 
 /// One character and the bytes that it takes.
 struct CodePoint {
@@ -25,4 +25,4 @@ bool IsUtf8(std::string_view text);
 bool IsLetter(char32_t c);
 inline bool IsDigit(char32_t c) { return c >= '0' && c <= '9'; }
 
-}  // namespace parti::grammar
+}  // namespace parti

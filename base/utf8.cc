@@ -1,8 +1,8 @@
-#include "grammar/utf8.h"
+#include "base/utf8.h"
 
 #include <cstdint>
 
-namespace parti::grammar {
+namespace parti {
 
 CodePoint CodePointAt(std::string_view text, size_t offset) {
   if (offset >= text.size()) return {};
@@ -44,4 +44,4 @@ bool IsLetter(char32_t c) {
   return c != 0xfeff && c < 0xf0000 && (c < 0xfff0 || c > 0xffff);
 }
 
-}  // namespace parti::grammar
+}  // namespace parti
