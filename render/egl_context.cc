@@ -16,8 +16,8 @@ tl::unexpected<Error> EglFailure(const char* what) {
 
 class EglSurfacelessContext final : public GlContext {
  public:
-  EglSurfacelessContext(EGLDisplay display, EGLContext context)
-      : display_(display), context_(context) {}
+  EglSurfacelessContext(EGLDisplay display, EGLConfig config, EGLContext context)
+      : display_(display), config_(config), context_(context) {}
   // The display stays initialised: EGL has one per process, and others may be using it.
   ~EglSurfacelessContext() override { eglDestroyContext(display_, context_); }
 
@@ -37,11 +37,28 @@ class EglSurfacelessContext final : public GlContext {
   }
   bool is_gles() const override { return true; }
   std::string_view name() const override { return "EGL surfaceless"; }
+  Result<std::unique_ptr<GlContext>> CreateShared() override;
 
  private:
   EGLDisplay display_;
+  EGLConfig config_;
   EGLContext context_;
 };
+
+/// `share`: the context with which it shares, or EGL_NO_CONTEXT.
+Result<std::unique_ptr<GlContext>> CreateContext(EGLDisplay display, EGLConfig config,
+                                                 EGLContext share) {
+  eglBindAPI(EGL_OPENGL_ES_API);
+  const std::array<EGLint, 5> version = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
+                                         EGL_NONE};
+  EGLContext context = eglCreateContext(display, config, share, version.data());
+  if (context == EGL_NO_CONTEXT) return EglFailure("makes no OpenGL ES 3.0 context");
+  return std::make_unique<EglSurfacelessContext>(display, config, context);
+}
+
+Result<std::unique_ptr<GlContext>> EglSurfacelessContext::CreateShared() {
+  return CreateContext(display_, config_, context_);
+}
 
 }  // namespace
 
@@ -58,11 +75,7 @@ Result<std::unique_ptr<GlContext>> CreateEglSurfacelessContext() {
   if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1) {
     return EglFailure("has no configuration for OpenGL ES 3");
   }
-  const std::array<EGLint, 5> version = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
-                                         EGL_NONE};
-  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version.data());
-  if (context == EGL_NO_CONTEXT) return EglFailure("makes no OpenGL ES 3.0 context");
-  return std::make_unique<EglSurfacelessContext>(display, context);
+  return CreateContext(display, config, EGL_NO_CONTEXT);
 }
 
 }  // namespace parti::render

@@ -16,8 +16,11 @@
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) \
   X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer) \
   X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) X(BLENDEQUATION, BlendEquation) \
-  X(BLENDFUNCSEPARATE, BlendFuncSeparate) X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) \
+  X(BLENDFUNCSEPARATE, BlendFuncSeparate) X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) X(BUFFERSUBDATA, BufferSubData) \
   X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) X(CLEARCOLOR, ClearColor) \
+  X(CLIENTWAITSYNC, ClientWaitSync) X(FENCESYNC, FenceSync) X(DELETESYNC, DeleteSync) X(FINISH, Finish) \
+  X(FLUSH, Flush) X(SCISSOR, Scissor) X(DRAWELEMENTS, DrawElements) X(TEXSUBIMAGE2D, TexSubImage2D) \
+  X(UNIFORMMATRIX3FV, UniformMatrix3fv) \
   X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) \
   X(CREATESHADER, CreateShader) X(DELETEBUFFERS, DeleteBuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
   X(DELETEPROGRAM, DeleteProgram) X(DELETERENDERBUFFERS, DeleteRenderbuffers) X(DELETESHADER, DeleteShader) \

@@ -24,6 +24,12 @@ class GlContext {
   virtual GlLookup Lookup() const = 0;
   virtual bool is_gles() const = 0;
   virtual std::string_view name() const = 0;  ///< "OSMesa", "EGL surfaceless"
+  /// Another context, for another thread, that knows this one's textures, buffers and programs by
+  /// the same names; framebuffers and vertex arrays are each context's own. What one thread has
+  /// written, another sees once the first has finished (glFinish or a fence) and the second has
+  /// bound it again. Called by the thread that uses this context; either may be destroyed first.
+  /// errors  kGraphics.
+  virtual Result<std::unique_ptr<GlContext>> CreateShared() = 0;
 };
 
 /// Current while in scope.

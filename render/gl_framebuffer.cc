@@ -5,6 +5,15 @@
 #include <utility>
 
 namespace parti::render {
+namespace {
+
+/// The layout of pixels that GLES takes with an internal format; GL takes any.
+GLenum LayoutOf(GLenum format) {
+  if (format == GL_DEPTH_COMPONENT24) return GL_DEPTH_COMPONENT;
+  return format == GL_R8 ? GL_RED : GL_RGBA;
+}
+
+}  // namespace
 
 Result<GlFramebuffer> GlFramebuffer::Create(const Gl& gl, const FramebufferSpec& spec) {
   GlFramebuffer made(gl, spec);
@@ -43,8 +52,7 @@ GLuint GlFramebuffer::AttachTexture(GLenum attachment, GLenum format) {
   gl_->GenTextures(1, &texture);
   gl_->BindTexture(GL_TEXTURE_2D, texture);
   gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), spec_.width, spec_.height, 0,
-                  is_depth ? GL_DEPTH_COMPONENT : GL_RED,
-                  is_depth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
+                  LayoutOf(format), is_depth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

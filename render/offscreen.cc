@@ -13,18 +13,6 @@
 namespace parti::render {
 namespace {
 
-Result<std::unique_ptr<GlContext>> CreateContext(OffscreenTarget target) {
-  if (target == OffscreenTarget::kOsMesa) return CreateOsMesaContext();
-  if (target == OffscreenTarget::kEglSurfaceless) return CreateEglSurfacelessContext();
-  auto osmesa = CreateOsMesaContext();
-  if (osmesa) return osmesa;
-  auto egl = CreateEglSurfacelessContext();
-  if (egl) return egl;
-  return Fail(ErrorCode::kGraphics,
-              "no way to draw off screen: " + osmesa.error().message + "; " + egl.error().message,
-              "install libosmesa6, or libegl1 and libgl1-mesa-dri");
-}
-
 class Offscreen final : public OffscreenRenderer {
  public:
   Offscreen(std::unique_ptr<GlContext> context, const Gl& gl, int tile_side)
@@ -154,9 +142,21 @@ Result<std::vector<uint32_t>> Offscreen::DrawIds(const Scene& scene, const Camer
 
 }  // namespace
 
+Result<std::unique_ptr<GlContext>> CreateOffscreenContext(OffscreenTarget target) {
+  if (target == OffscreenTarget::kOsMesa) return CreateOsMesaContext();
+  if (target == OffscreenTarget::kEglSurfaceless) return CreateEglSurfacelessContext();
+  auto osmesa = CreateOsMesaContext();
+  if (osmesa) return osmesa;
+  auto egl = CreateEglSurfacelessContext();
+  if (egl) return egl;
+  return Fail(ErrorCode::kGraphics,
+              "no way to draw off screen: " + osmesa.error().message + "; " + egl.error().message,
+              "install libosmesa6, or libegl1 and libgl1-mesa-dri");
+}
+
 Result<std::unique_ptr<OffscreenRenderer>> OffscreenRenderer::Create(OffscreenTarget target,
                                                                      int tile_side_px) {
-  Result<std::unique_ptr<GlContext>> context = CreateContext(target);
+  Result<std::unique_ptr<GlContext>> context = CreateOffscreenContext(target);
   if (!context) return Fail(context);
   Result<Gl> gl = [&]() -> Result<Gl> {
     const CurrentScope current(**context);

@@ -4,12 +4,18 @@
 
 #include <memory>
 
+#include "render/gl_context.h"
 #include "render/scene.h"
 
 namespace parti::render {
 
 /// kBest: OSMesa, which draws alike on every machine, before EGL, which may find a GPU.
 enum class OffscreenTarget { kBest, kOsMesa, kEglSurfaceless };
+
+/// A context without a window.
+/// errors  kGraphics  neither is there, or the one asked for is not; says what to install.
+Result<std::unique_ptr<GlContext>> CreateOffscreenContext(
+    OffscreenTarget target = OffscreenTarget::kBest);
 
 /// Larger pictures are drawn in square tiles of this side, so that memory stays bounded. [px]
 inline constexpr int kTileSide_px = 2048;

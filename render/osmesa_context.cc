@@ -53,6 +53,7 @@ class OsMesaContext final : public GlContext {
   GlLookup Lookup() const override { return library_.lookup; }
   bool is_gles() const override { return false; }
   std::string_view name() const override { return "OSMesa"; }
+  Result<std::unique_ptr<GlContext>> CreateShared() override;
 
  private:
   static constexpr int kSide = 4;  ///< px; pictures are drawn into framebuffer objects, not here
@@ -61,20 +62,29 @@ class OsMesaContext final : public GlContext {
   std::array<uint8_t, size_t{4} * kSide * kSide> buffer_{};
 };
 
+/// `share`: the context with which it shares, or null.
+Result<std::unique_ptr<GlContext>> CreateContext(const OsMesaLibrary& library, void* share) {
+  const std::array<int, 11> attributes = {
+      kFormat,       GL_RGBA, kDepthBits,    0, kProfile, kCoreProfile,
+      kMajorVersion, 3,       kMinorVersion, 3, 0};
+  void* context = library.create(attributes.data(), share);
+  if (!context) {
+    return Fail(ErrorCode::kGraphics, "OSMesa makes no OpenGL 3.3 core context",
+                "update the Mesa packages");
+  }
+  return std::make_unique<OsMesaContext>(library, context);
+}
+
+Result<std::unique_ptr<GlContext>> OsMesaContext::CreateShared() {
+  return CreateContext(library_, context_);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<GlContext>> CreateOsMesaContext() {
   const Result<OsMesaLibrary> library = LoadLibrary();
   if (!library) return Fail(library);
-  const std::array<int, 11> attributes = {
-      kFormat,       GL_RGBA, kDepthBits,    0, kProfile, kCoreProfile,
-      kMajorVersion, 3,       kMinorVersion, 3, 0};
-  void* context = library->create(attributes.data(), nullptr);
-  if (!context) {
-    return Fail(ErrorCode::kGraphics, "OSMesa makes no OpenGL 3.3 core context",
-                "update the Mesa packages");
-  }
-  return std::make_unique<OsMesaContext>(*library, context);
+  return CreateContext(*library, nullptr);
 }
 
 }  // namespace parti::render
