@@ -1,0 +1,20 @@
+// Drafts: documents that have no name yet live in the user's data folder, so that nothing is lost
+// before the first "save as". How a document is written is document.h's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace parti::app {
+
+/// A path for a new draft below `data_folder`/drafts, named after the local time, "2026-11-22
+/// 09.30.05.parti"; nothing is there yet. Makes the folder.
+/// errors  kFile.
+Result<std::string> NewDraftPath(const std::string& data_folder);
+
+/// Drafts that were left there, by a kill or by ending without saving; newest first.
+std::vector<std::string> DraftsIn(const std::string& data_folder);
+
+}  // namespace parti::app
