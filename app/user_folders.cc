@@ -16,13 +16,18 @@ std::string FromEnvironment(const char* variable) {
   return value != nullptr && value[0] == '/' ? value : "";
 }
 
+std::string WithoutAHome() {
+  std::error_code code;
+  return (std::filesystem::temp_directory_path(code) / fmt::format("parti-{}", ::getuid()))
+      .string();
+}
+
 }  // namespace
 
 UserFolders UserFoldersFromEnvironment() {
   std::string data = FromEnvironment("XDG_DATA_HOME"), state = FromEnvironment("XDG_STATE_HOME");
   const std::string home = FromEnvironment("HOME");
-  const std::string local =
-      home.empty() ? fmt::format("/tmp/parti-{}", ::getuid()) : home + "/.local";
+  const std::string local = home.empty() ? WithoutAHome() : home + "/.local";
   if (data.empty()) data = local + "/share";
   if (state.empty()) state = local + "/state";
   return {data + "/parti", state + "/parti"};

@@ -15,7 +15,8 @@ struct UserFolders {
 };
 
 /// $XDG_DATA_HOME/parti and $XDG_STATE_HOME/parti; where a variable is unset or not absolute,
-/// below ~/.local; without a HOME, below /tmp/parti-UID.
+/// below ~/.local; without a HOME, below parti-UID in the
+/// folder for temporary files.
 UserFolders UserFoldersFromEnvironment();
 
 /// Makes a folder and those above it, readable by this user alone (mode 0700), where missing.
