@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 namespace parti::tests {
@@ -14,11 +15,18 @@ constexpr int kUnitsPerMm = 200;
 constexpr int kMaxPressure = 8191;
 // libinput 1.22 takes the tip for down from 5 % of the range on and for up from 1 % downwards; it
 // gives the latter as pressure 0, so that no stroke begins with less than 0.04.
-constexpr int kDownPressure = kMaxPressure * 5 / 100 + 1;
-constexpr int kZeroPressure = kMaxPressure / 100;
+constexpr int kDownPercent = 5;
+constexpr int kZeroPercent = 1;
 constexpr int kMaxDistance = 63;
-constexpr int kTiltUnits = 100;          // per degree
-constexpr int kTiltResolution = 5730;    // the same per radian
+constexpr int kTiltUnits = 100;        // per degree
+constexpr int kTiltResolution = 5730;  // the same per radian
+// What libinput 1.22 takes the ends of a tilt axis for that has no resolution.
+constexpr double kWacomTilt_deg = 64;
+// What Wacom's driver says of a common pen and its other end, where it has an axis for it, and
+// whose pen it is.
+constexpr int kPenId = 0x160802;
+constexpr int kEraserId = 0x16080a;
+constexpr int kPenSerial = 0x2a1b3c4d;
 constexpr Vec2 kUsualSize_mm{344, 194};  // of a 16-inch display tablet
 
 int ToolCode(PenTool tool) {
@@ -67,6 +75,24 @@ EvdevRecording Describe(const DeviceFacts& facts) {
   return tablet;
 }
 
+bool Has(const EvdevRecording& tablet, int type, int code) {
+  const auto bits = tablet.codes.find(type);
+  const auto byte = static_cast<size_t>(code / 8);
+  return bits != tablet.codes.end() && byte < bits->second.size() &&
+         (bits->second[byte] >> (code % 8) & 1) != 0;
+}
+
+/// In the axis's own units, from millimetres, from a part of its range, from degrees.
+double FromMm(const EvdevAxis& axis, double mm) { return axis.minimum + mm * axis.resolution; }
+double FromPart(const EvdevAxis& axis, double part) {
+  return axis.minimum + part * (axis.maximum - axis.minimum);
+}
+
+double FromTilt(const EvdevAxis& axis, double tilt_deg) {
+  if (axis.resolution == 0) return FromPart(axis, (tilt_deg / kWacomTilt_deg + 1) / 2);
+  return tilt_deg * std::numbers::pi / 180 * axis.resolution;
+}
+
 /// Writes the events of one pen, keeping the kernel's state of every key and axis.
 class Driver {
  public:
@@ -101,7 +127,8 @@ class Driver {
   void Leave() {
     if (!tool_) return;
     Set(EV_KEY, BTN_TOUCH, 0);
-    Set(EV_ABS, ABS_PRESSURE, 0);
+    SetAxis(ABS_PRESSURE, [](const EvdevAxis& axis) { return axis.minimum; });
+    SetAxis(ABS_MISC, [](const EvdevAxis&) { return 0; });
     Set(EV_KEY, ToolCode(*tool_), 0);
     Report();
     tool_.reset();
@@ -112,32 +139,46 @@ class Driver {
   void Enter(PenTool tool) {
     Leave();
     tool_ = tool;
+    const int id = tool == PenTool::kEraser ? kEraserId : kPenId;
+    if (tablet_->axes.contains(ABS_MISC)) Set(EV_ABS, ABS_MISC, id);
     Set(EV_KEY, ToolCode(tool), 1);
   }
 
   void SetAxes(const PenEvent& event) {
-    SetAxis(ABS_X, event.position_mm.x * kUnitsPerMm);
-    SetAxis(ABS_Y, event.position_mm.y * kUnitsPerMm);
-    if (event.tilt_deg) {
-      SetAxis(ABS_TILT_X, event.tilt_deg->x * kTiltUnits);
-      SetAxis(ABS_TILT_Y, event.tilt_deg->y * kTiltUnits);
-    }
+    SetAxis(ABS_X, [&](const EvdevAxis& axis) { return FromMm(axis, event.position_mm.x); });
+    SetAxis(ABS_Y, [&](const EvdevAxis& axis) { return FromMm(axis, event.position_mm.y); });
+    if (!event.tilt_deg) return;
+    SetAxis(ABS_TILT_X, [&](const EvdevAxis& axis) { return FromTilt(axis, event.tilt_deg->x); });
+    SetAxis(ABS_TILT_Y, [&](const EvdevAxis& axis) { return FromTilt(axis, event.tilt_deg->y); });
   }
 
   void SetContact(const PenEvent& event) {
     Set(EV_KEY, BTN_TOUCH, touching_ ? 1 : 0);
-    const double least = event.kind == PenEvent::Kind::kDown ? kDownPressure : kZeroPressure + 1;
-    const double pressure = event.pressure.value_or(0.5);
-    const double pressed = kZeroPressure + pressure * (kMaxPressure - kZeroPressure);
-    SetAxis(ABS_PRESSURE, touching_ ? std::max(least, pressed) : 0);
-    if (event.distance) SetAxis(ABS_DISTANCE, touching_ ? 0 : *event.distance * kMaxDistance);
+    SetAxis(ABS_PRESSURE, [&](const EvdevAxis& axis) { return Pressure(axis, event); });
+    if (!event.distance) return;
+    SetAxis(ABS_DISTANCE,
+            [&](const EvdevAxis& axis) { return FromPart(axis, touching_ ? 0 : *event.distance); });
   }
 
-  void SetAxis(int code, double value) {
-    const auto axis = tablet_->axes.find(code);
-    if (axis == tablet_->axes.end()) return;
-    const auto [minimum, maximum] = std::pair(axis->second.minimum, axis->second.maximum);
-    Set(EV_ABS, code, std::clamp(static_cast<int32_t>(std::lround(value)), minimum, maximum));
+  double Pressure(const EvdevAxis& axis, const PenEvent& event) const {
+    if (!touching_) return axis.minimum;
+    const int steps = axis.maximum - axis.minimum;
+    const int zero = steps * kZeroPercent / 100;
+    const bool begins = event.kind == PenEvent::Kind::kDown;
+    const int least = begins ? steps * kDownPercent / 100 + 1 : zero + 1;
+    const double pressed = zero + event.pressure.value_or(0.5) * (steps - zero);
+    return axis.minimum + std::max<double>(least, pressed);
+  }
+
+  /// `value` gives the axis's value in its own units; axes that the tablet has not are left out.
+  template <typename Value>
+  void SetAxis(int code, const Value& value) {
+    const auto found = tablet_->axes.find(code);
+    if (found == tablet_->axes.end()) return;
+    const EvdevAxis& axis = found->second;
+    const auto units = static_cast<int32_t>(std::lround(value(axis)));
+    Set(EV_ABS, code,
+        axis.minimum == axis.maximum ? units : std::clamp(units, axis.minimum, axis.maximum));
   }
 
   void Set(uint16_t type, int code, int32_t value) {
@@ -148,6 +189,9 @@ class Driver {
 
   void Report() {
     if (!std::exchange(changed_, false)) return;
+    if (Has(*tablet_, EV_MSC, MSC_SERIAL)) {
+      tablet_->events.push_back({t_us_, EV_MSC, MSC_SERIAL, kPenSerial});
+    }
     tablet_->events.push_back({t_us_, EV_SYN, SYN_REPORT, 0});
   }
 
@@ -167,27 +211,34 @@ const PenEvent* FirstReport(const input::Drawing& drawing, int device) {
   return nullptr;
 }
 
+Result<DeviceEvent> FirstPen(const input::Drawing& drawing) {
+  for (const InputEvent& event : drawing.events) {
+    const auto* device = std::get_if<DeviceEvent>(&event);
+    const bool added = device && device->kind == DeviceEvent::Kind::kAdded;
+    if (added && device->facts.has_pen) return *device;
+  }
+  return Fail(ErrorCode::kNothingMade, "the drawing has no pen");
+}
+
 }  // namespace
 
-Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing) {
-  const auto is_pen = [](const InputEvent& event) {
-    const auto* device = std::get_if<DeviceEvent>(&event);
-    return device && device->kind == DeviceEvent::Kind::kAdded && device->facts.has_pen;
-  };
-  const auto first = std::find_if(drawing.events.begin(), drawing.events.end(), is_pen);
-  if (first == drawing.events.end()) {
-    return Fail(ErrorCode::kNothingMade, "the drawing has no pen");
-  }
-  const auto& pen = std::get<DeviceEvent>(*first);
-  EvdevRecording tablet = Describe(pen.facts);
+Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing, EvdevRecording tablet) {
+  const auto pen = FirstPen(drawing);
+  if (!pen) return Fail(pen);
   Driver driver(&tablet);
-  if (const auto* report = FirstReport(drawing, pen.device)) driver.Visit(*report);
+  if (const auto* report = FirstReport(drawing, pen->device)) driver.Visit(*report);
   for (const InputEvent& event : drawing.events) {
     const auto* report = std::get_if<PenEvent>(&event);
-    if (report && report->device == pen.device) driver.Take(*report);
+    if (report && report->device == pen->device) driver.Take(*report);
   }
   driver.Leave();
   return tablet;
+}
+
+Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing) {
+  const auto pen = FirstPen(drawing);
+  if (!pen) return Fail(pen);
+  return EvdevFromDrawing(drawing, Describe(pen->facts));
 }
 
 }  // namespace parti::tests

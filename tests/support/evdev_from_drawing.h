@@ -15,6 +15,10 @@ namespace parti::tests {
 /// reports that change nothing are gone. errors  kNothingMade  there is no pen.
 Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing);
 
+/// The same on a tablet that is already described, in its units and steps; axes that it has not are
+/// left out. With ABS_MISC and MSC_SERIAL it also says which pen it is, as Wacom's driver does.
+Result<EvdevRecording> EvdevFromDrawing(const input::Drawing& drawing, EvdevRecording tablet);
+
 inline constexpr double kPositionError_mm = 0.0026;  // half a unit
 inline constexpr double kPressureError = 0.0005;     // a few steps: libinput's threshold's rounding
 

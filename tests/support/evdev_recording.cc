@@ -64,7 +64,7 @@ void EvdevRecording::SetCode(int type, int code) {
   bits[byte] = static_cast<uint8_t>(bits[byte] | 1u << (code % 8));
 }
 
-Result<EvdevRecording> ReadEvemu(std::string_view text, std::string_view file) {
+Result<EvdevRecording> ReadEvemuDevice(std::string_view text, std::string_view file) {
   EvdevRecording recording;
   std::istringstream lines{std::string(text)};
   std::string line;
@@ -74,11 +74,18 @@ Result<EvdevRecording> ReadEvemu(std::string_view text, std::string_view file) {
       return Fail(ErrorCode::kBadText, fmt::format("{}:{}: not evemu's: {}", file, number, line));
     }
   }
-  if (recording.name.empty() || recording.events.empty()) {
-    return Fail(ErrorCode::kBadText, fmt::format("{}: no name or no events", file));
+  if (recording.name.empty()) return Fail(ErrorCode::kBadText, fmt::format("{}: no name", file));
+  return recording;
+}
+
+Result<EvdevRecording> ReadEvemu(std::string_view text, std::string_view file) {
+  auto recording = ReadEvemuDevice(text, file);
+  if (!recording) return recording;
+  if (recording->events.empty()) {
+    return Fail(ErrorCode::kBadText, fmt::format("{}: no events", file));
   }
-  const int64_t start = recording.events.front().t_us;
-  for (EvdevEvent& event : recording.events) event.t_us -= start;
+  const int64_t start = recording->events.front().t_us;
+  for (EvdevEvent& event : recording->events) event.t_us -= start;
   return recording;
 }
 

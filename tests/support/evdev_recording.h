@@ -48,6 +48,9 @@ struct EvdevRecording {
 /// Reads evemu's text, versions 1.1 to 1.3. errors  kBadText  no name, no events, a bad number.
 Result<EvdevRecording> ReadEvemu(std::string_view text, std::string_view file);
 
+/// The same where only the description counts and events may be missing.
+Result<EvdevRecording> ReadEvemuDevice(std::string_view text, std::string_view file);
+
 /// Gives ABS_X and ABS_Y a resolution where the recording has none: evemu 1.1 did not store it.
 void AssumeResolution(int32_t units_per_mm, EvdevRecording* recording);
 

@@ -1,0 +1,139 @@
+"""What every stage works with: the guest's image, disks, machines with our devices plugged in, and
+golden pictures."""
+import os
+import pathlib
+import subprocess
+import time
+
+import guest_image
+import kernel
+import picture
+from machine import Machine, MachineError
+
+HERE = pathlib.Path(__file__).resolve().parent
+GOLDEN = HERE.parent / "golden"
+GUEST_SHARE = "/usr/share/parti-machine"
+DEVICES = ("cintiq_13hd", "touch_screen")
+DISK_MB = 64
+SETTLE_S = 30  # a picture has to stand still within this time
+STILL_S = 1.5  # and counts as still after this one
+
+
+class Failure(Exception):
+    """What a stage found wrong."""
+
+
+def check(holds, what):
+    if not holds:
+        raise Failure(what)
+
+
+class Laboratory:
+    def __init__(self, folder, parti, uinput_devices, cache):
+        """folder: for logs, disks and images;  cache: for the kernel's package."""
+        self.folder = folder
+        folder.mkdir(parents=True, exist_ok=True)
+        self._kernel = kernel.fetch(cache)
+        self._initramfs = folder / "initramfs"
+        files = {f"{GUEST_SHARE}/{name}.txt": (HERE / "devices" / f"{name}.txt").read_text()
+                 for name in DEVICES}
+        programs = {"/usr/bin/parti": parti, "/usr/bin/parti_uinput_devices": uinput_devices}
+        guest_image.build(self._kernel, programs, files, self._initramfs)
+        self._boots = 0
+
+    def new_disk(self):
+        """An empty disk with a file system."""
+        disk = self.folder / "disk.img"
+        disk.unlink(missing_ok=True)
+        subprocess.run(["mke2fs", "-q", "-F", "-t", "ext4", disk, f"{DISK_MB}M"], check=True,
+                       stdout=subprocess.DEVNULL, timeout=60)
+        return disk
+
+    def boot(self, disk):
+        """A machine (a context) that is up, without devices of ours."""
+        self._boots += 1
+        folder = self.folder / f"boot-{self._boots}"
+        return Machine(self._kernel.image, self._initramfs, disk, folder)
+
+    def expect_golden(self, machine, name, ignored=()):
+        """The screen comes to look like tests/golden/system_NAME.png: a picture that still changes
+        is waited for. PARTI_UPDATE_GOLDEN=1 writes it instead: look at it before committing it."""
+        path = GOLDEN / f"system_{name}.png"
+        if os.environ.get("PARTI_UPDATE_GOLDEN") == "1":
+            picture.write_png(still_screen(machine), path)
+            return
+        check(path.exists(), f"there is no {path.name}; PARTI_UPDATE_GOLDEN=1 writes it")
+        golden = picture.read_png(path)
+        limit = time.monotonic() + SETTLE_S
+        while True:
+            seen = machine.screenshot()
+            difference = picture.compare(seen, golden, ignored)
+            check(difference is not None, f"{path.name} has another size")
+            if difference.is_small():
+                return
+            if time.monotonic() > limit:
+                break
+            time.sleep(0.5)
+        picture.write_png(seen, path.with_suffix(".out.png"))
+        picture.write_png(difference.marked, path.with_suffix(".diff.png"))
+        raise Failure(f"{path.name}: {difference.pixels} pixels differ; see .out.png and .diff.png")
+
+
+def still_screen(machine):
+    """The screen as soon as it stands still."""
+    limit = time.monotonic() + SETTLE_S
+    last, since = machine.screenshot(), time.monotonic()
+    while time.monotonic() - since < STILL_S and time.monotonic() < limit:
+        time.sleep(0.25)
+        now = machine.screenshot()
+        if now.rows != last.rows:
+            last, since = now, time.monotonic()
+    return last
+
+
+class Tablets:
+    """Our devices in a machine, and what is drawn on them."""
+
+    FIFO = "/run/tablets"
+    LOG = "/run/tablets.log"
+
+    def __init__(self, machine):
+        self._machine = machine
+        self._played = 0
+        self._answers = {}  # how often each was given
+        machine.must(f"parti_uinput_devices {self.FIFO} >{self.LOG} 2>&1 &")
+        machine.wait_until(f"test -p {self.FIFO}", "the program that makes devices")
+        self.plug()
+
+    def plug(self):
+        for name in DEVICES:
+            self._machine.must(f"echo plug {GUEST_SHARE}/{name}.txt >{self.FIFO}")
+            self._wait_for("plugged")
+        self._machine.must("udevadm settle")
+
+    def unplug(self):
+        self._machine.must(f"echo unplug >{self.FIFO}")
+        self._wait_for("unplugged")
+
+    def play(self, drawing, speed=1, limit_s=120):
+        """Plays a drawing to its end."""
+        path = self.begin(drawing, speed)
+        self._wait_for(f"played {path}", limit_s)
+
+    def begin(self, drawing, speed=1):
+        """Begins to play; gives the drawing's name in the guest."""
+        self._played += 1
+        path = f"/run/drawing-{self._played}.pen"
+        self._machine.send(drawing, path)
+        self._machine.must(f"echo play {path} {speed} >{self.FIFO}")
+        return path
+
+    def _wait_for(self, answer, limit_s=30):
+        """The next answer of this kind."""
+        self._answers[answer] = self._answers.get(answer, 0) + 1
+        said = self._machine.wait_until(
+            f"cat {self.LOG}; grep -q '^error' {self.LOG} ||"
+            f" test $(grep -c '^{answer}' {self.LOG}) -ge {self._answers[answer]}",
+            f"the tablets' answer `{answer}`", limit_s)
+        if "error" in said:
+            raise MachineError(f"the tablets: {said}")
