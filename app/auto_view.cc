@@ -64,19 +64,22 @@ void Centre(const Corners& corners, Camera* camera) {
   camera->target += (view.right() * off.x - view.up() * off.y) * metres_per_px;
 }
 
-}  // namespace
-
-Camera AutoView(const render::Bounds& bounds, double width_px, double height_px) {
+/// Never empty, and never thinner than a centimetre.
+render::Bounds Seen(const render::Bounds& bounds) {
   render::Bounds seen = bounds;
   if (seen.empty()) {
     seen.Add({-5, 0, -5});
     seen.Add({5, 0, 5});
   }
-  // A point or a line is seen as if it were a centimetre thick.
   seen.Add(seen.low - Vec3(0.005));
   seen.Add(seen.high + Vec3(0.005));
+  return seen;
+}
+
+/// All of the bounds from a direction: a unit vector from the model to the eye.
+Camera ViewFrom(const Vec3& direction, const render::Bounds& seen, double width_px,
+                double height_px) {
   const Corners corners = CornersOf(seen);
-  const Vec3 direction = DirectionFor(seen.high - seen.low);
   Camera camera;
   camera.width_px = width_px;
   camera.height_px = height_px;
@@ -88,6 +91,27 @@ Camera AutoView(const render::Bounds& bounds, double width_px, double height_px)
     Approach(corners, direction, &camera);
   }
   return camera;
+}
+
+/// From the model to the eye, for the presets in their order but the last.
+const std::array<Vec3, kViewPresets.size() - 1> kPresetDirections{
+    Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(-1, 0, 0), Vec3(1, 0, 0),
+    glm::normalize(Vec3(0, 1, 0.035))};  // 88 degrees: straight down there is no up
+
+}  // namespace
+
+Camera AutoView(const render::Bounds& bounds, double width_px, double height_px) {
+  const render::Bounds seen = Seen(bounds);
+  return ViewFrom(DirectionFor(seen.high - seen.low), seen, width_px, height_px);
+}
+
+std::optional<Camera> PresetView(std::string_view name, const render::Bounds& bounds,
+                                 double width_px, double height_px) {
+  const auto preset = std::find(kViewPresets.begin(), kViewPresets.end(), name);
+  if (preset == kViewPresets.end()) return std::nullopt;
+  const auto index = static_cast<size_t>(preset - kViewPresets.begin());
+  if (index == kPresetDirections.size()) return AutoView(bounds, width_px, height_px);
+  return ViewFrom(kPresetDirections[index], Seen(bounds), width_px, height_px);
 }
 
 }  // namespace parti::app

@@ -1,6 +1,10 @@
-// The view that shows a model at its best when nobody has chosen one.
-// Views that were chosen and named are the document's.
+// The views that show a whole model: the best one when nobody has chosen, and those with names that
+// every such program has. Views that were kept and named by the user are the document's.
 #pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "base/camera.h"
 #include "render/bounds.h"
@@ -14,5 +18,15 @@ namespace parti::app {
 /// Properties: (1) the camera is valid; (2) every corner of the bounds is within the picture;
 /// (3) the bounds fill at least half of its width or height.
 Camera AutoView(const render::Bounds& bounds, double width_px, double height_px);
+
+/// What PresetView knows. The front is seen from the south, the left side from the west; the top
+/// from nearly above, north up; three-quarter is AutoView.
+inline constexpr std::array<std::string_view, 6> kViewPresets{"front", "back", "left",
+                                                              "right", "top",  "three-quarter"};
+
+/// The bounds from a side, in the same perspective and with properties (1) and (2) of AutoView.
+/// Nothing for a name that is not a preset's.
+std::optional<Camera> PresetView(std::string_view name, const render::Bounds& bounds,
+                                 double width_px, double height_px);
 
 }  // namespace parti::app

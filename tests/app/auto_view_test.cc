@@ -37,6 +37,38 @@ RC_GTEST_PROP(AutoView, ShowsAllOfTheModelAndLittleElse, (uint64_t seed)) {
   RC_ASSERT(camera.eye.y > camera.target.y);
 }
 
+RC_GTEST_PROP(PresetView, ShowsAllOfTheModelFromItsSide, (uint64_t seed)) {
+  Random random(seed);
+  const auto size = [&random] { return std::pow(10, random.Uniform(0, 2)); };
+  const Vec3 low(random.Uniform(-500, 500), random.Uniform(-20, 20), random.Uniform(-500, 500));
+  render::Bounds bounds;
+  bounds.Add(low);
+  bounds.Add(low + Vec3(size(), size(), size()));
+  for (const std::string_view name : kViewPresets) {
+    const auto camera = PresetView(name, bounds, 1600, 1000);
+    RC_ASSERT(camera.has_value());
+    RC_ASSERT(Validate(*camera).has_value());
+    RC_ASSERT(Filled(bounds, *camera) <= 1);
+  }
+}
+
+TEST(PresetView, LooksFromWhereItsNameSays) {
+  render::Bounds house;
+  house.Add({0, 0, 0});
+  house.Add({12, 9, 8});
+  const auto forward = [&](std::string_view name) {
+    return View(*PresetView(name, house, 800, 500)).forward();
+  };
+  EXPECT_LT(glm::distance(forward("front"), Vec3(0, 0, -1)), 1e-9);
+  EXPECT_LT(glm::distance(forward("back"), Vec3(0, 0, 1)), 1e-9);
+  EXPECT_LT(glm::distance(forward("left"), Vec3(1, 0, 0)), 1e-9);
+  EXPECT_LT(glm::distance(forward("right"), Vec3(-1, 0, 0)), 1e-9);
+  EXPECT_LT(forward("top").y, -0.999);
+  EXPECT_LT(forward("top").z, 0);  // north is up
+  EXPECT_EQ(PresetView("three-quarter", house, 800, 500), AutoView(house, 800, 500));
+  EXPECT_EQ(PresetView("below", house, 800, 500), std::nullopt);
+}
+
 TEST(AutoView, NothingAPointAndALineAreSeenToo) {
   render::Bounds point, line, flat;
   point.Add({3, 1, 2});
