@@ -15,7 +15,11 @@ class FullScreenTriangle {
   explicit FullScreenTriangle(const Gl& gl) : gl_(&gl) { gl.GenVertexArrays(1, &array_); }
   FullScreenTriangle(FullScreenTriangle&& other) noexcept
       : gl_(other.gl_), array_(std::exchange(other.array_, 0)) {}
-  FullScreenTriangle& operator=(FullScreenTriangle&&) = delete;
+  FullScreenTriangle& operator=(FullScreenTriangle&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(array_, other.array_);
+    return *this;
+  }
   ~FullScreenTriangle() {
     if (array_) gl_->DeleteVertexArrays(1, &array_);
   }

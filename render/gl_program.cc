@@ -46,10 +46,11 @@ Result<void> Link(const Gl& gl, GLuint program, const std::string& name) {
 
 }  // namespace
 
-Result<GlProgram> GlProgram::Create(const Gl& gl, const std::string& name) {
-  const Result<GLuint> vertex = Compile(gl, GL_VERTEX_SHADER, name + ".vert");
+Result<GlProgram> GlProgram::Create(const Gl& gl, const std::string& vertex_name,
+                                    const std::string& fragment_name) {
+  const Result<GLuint> vertex = Compile(gl, GL_VERTEX_SHADER, vertex_name + ".vert");
   if (!vertex) return Fail(vertex);
-  const Result<GLuint> fragment = Compile(gl, GL_FRAGMENT_SHADER, name + ".frag");
+  const Result<GLuint> fragment = Compile(gl, GL_FRAGMENT_SHADER, fragment_name + ".frag");
   if (!fragment) {
     gl.DeleteShader(*vertex);
     return Fail(fragment);
@@ -57,7 +58,7 @@ Result<GlProgram> GlProgram::Create(const Gl& gl, const std::string& name) {
   GlProgram program(gl, gl.CreateProgram());
   gl.AttachShader(program.program_, *vertex);
   gl.AttachShader(program.program_, *fragment);
-  const Result<void> linked = Link(gl, program.program_, name);
+  const Result<void> linked = Link(gl, program.program_, vertex_name + " and " + fragment_name);
   gl.DeleteShader(*vertex);
   gl.DeleteShader(*fragment);
   if (!linked) return Fail(linked);
@@ -87,6 +88,9 @@ void GlProgram::Set(const char* uniform, const Vec3f& v) const {
 }
 void GlProgram::Set(const char* uniform, const Vec4f& v) const {
   gl_->Uniform4f(At(uniform), v.x, v.y, v.z, v.w);
+}
+void GlProgram::Set(const char* uniform, const glm::mat3& value) const {
+  gl_->UniformMatrix3fv(At(uniform), 1, GL_FALSE, &value[0][0]);
 }
 void GlProgram::Set(const char* uniform, const glm::mat4& value) const {
   gl_->UniformMatrix4fv(At(uniform), 1, GL_FALSE, &value[0][0]);

@@ -13,10 +13,11 @@ namespace parti::render {
 /// Used and destroyed while its context is current.
 class GlProgram {
  public:
-  /// assets/shaders/NAME.vert and NAME.frag, behind light.glsl, the faces' also place.glsl, and the
-  /// version line of the context: one source for GL 3.3 and GLES 3.0. errors  kGraphics  with the
-  /// compiler's words.
-  static Result<GlProgram> Create(const Gl& gl, const std::string& name);
+  /// assets/shaders/VERTEX.vert and FRAGMENT.frag, behind light.glsl, the faces' also place.glsl,
+  /// and the version line of the context: one source for GL 3.3 and GLES 3.0. errors  kGraphics
+  /// with the compiler's words.
+  static Result<GlProgram> Create(const Gl& gl, const std::string& vertex_name,
+                                  const std::string& fragment_name);
   GlProgram(GlProgram&& other) noexcept;
   GlProgram& operator=(GlProgram&& other) noexcept;
   ~GlProgram();
@@ -28,6 +29,7 @@ class GlProgram {
   void Set(const char* uniform, const Vec2f& value) const;
   void Set(const char* uniform, const Vec3f& value) const;
   void Set(const char* uniform, const Vec4f& value) const;
+  void Set(const char* uniform, const glm::mat3& value) const;
   void Set(const char* uniform, const glm::mat4& value) const;
 
  private:

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/ink_pieces.h"
+
 namespace parti::render {
 namespace {
 
@@ -31,15 +33,6 @@ const std::vector<VertexAttribute> kLineLayout = {
     {1, 3, GL_FLOAT, false, offsetof(LineInstance, b)},
     {2, 4, GL_UNSIGNED_BYTE, true, offsetof(LineInstance, color)},
     {3, 2, GL_FLOAT, false, offsetof(LineInstance, width_and_dash)}};
-
-struct InkPiece {
-  Vec2f a, b;
-  Vec2f radii;
-};
-const std::vector<VertexAttribute> kInkLayout = {
-    {0, 2, GL_FLOAT, false, offsetof(InkPiece, a)},
-    {1, 2, GL_FLOAT, false, offsetof(InkPiece, b)},
-    {2, 2, GL_FLOAT, false, offsetof(InkPiece, radii)}};
 
 uint8_t Byte(float channel) {
   if (!(channel > 0)) return 0;  // NaN too
@@ -82,19 +75,9 @@ void Upload(const Lines& lines, VertexStream* stream) {
 }
 
 void Upload(const Ink& ink, VertexStream* stream) {
-  const auto radius = [&ink](size_t i) {
-    const float width = i < ink.widths_px.size() ? ink.widths_px[i] : 1.0f;
-    return std::isfinite(width) ? 0.5f * std::max(width, 0.0f) : 0.5f;
-  };
-  const auto drawable = [&ink](size_t i) { return IsDrawable(Vec3f(ink.points[i], 0)); };
-  const size_t n = ink.points.size();
-  for (size_t i = 0; i < n; ++i) {
-    // A lone point, or one between gaps, is a dot.
-    const size_t next = i + 1 < n && drawable(i + 1) ? i + 1 : i;
-    if (!drawable(i) || (next == i && i > 0 && drawable(i - 1))) continue;
-    const InkPiece piece{ink.points[i], ink.points[next], {radius(i), radius(next)}};
-    stream->Append(&piece);
-  }
+  std::vector<InkPiece> pieces;
+  AppendPieces(ink, 0, &pieces);
+  for (const InkPiece& piece : pieces) stream->Append(&piece);
 }
 
 std::vector<InkGroup> Grouped(const Gl& gl, const std::vector<Ink>& all) {
@@ -102,7 +85,7 @@ std::vector<InkGroup> Grouped(const Gl& gl, const std::vector<Ink>& all) {
   for (const Ink& ink : all) {
     if (groups.empty() || groups.back().color != ink.color) {
       groups.push_back(
-          {ink.color, VertexStream(gl, Primitive::kQuads, sizeof(InkPiece), kInkLayout)});
+          {ink.color, VertexStream(gl, Primitive::kQuads, sizeof(InkPiece), InkLayout())});
     }
     Upload(ink, &groups.back().pieces);
   }

@@ -15,14 +15,15 @@ Renderer::Renderer(const Gl& gl, const Look& look, Programs programs, GLint most
 
 Result<Renderer> Renderer::Create(const Gl& gl, const Look& look) {
   std::optional<Error> failed;
-  const auto make = [&](const char* name) -> std::optional<GlProgram> {
-    Result<GlProgram> program = GlProgram::Create(gl, name);
+  const auto make = [&](const char* vertex, const char* fragment) -> std::optional<GlProgram> {
+    Result<GlProgram> program = GlProgram::Create(gl, vertex, fragment);
     if (program) return std::move(*program);
     if (!failed) failed = program.error();
     return std::nullopt;
   };
-  auto ground = make("ground"), face = make("face"), line = make("line"), ink = make("ink"),
-       ink_over = make("ink_over"), id = make("id"), depth = make("depth");
+  auto ground = make("ground", "ground"), face = make("face", "face"), line = make("line", "line"),
+       ink = make("ink", "ink"), ink_over = make("full_screen", "ink_over"), id = make("id", "id"),
+       depth = make("depth", "depth");
   if (failed) return tl::unexpected(*failed);
   GLint most_samples = 0;
   gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
