@@ -4,8 +4,9 @@
 
 #include <array>
 #include <charconv>
-#include <optional>
-#include <span>
+#include <cmath>
+
+#include "app/length_text.h"
 
 namespace parti::app {
 namespace {
@@ -16,8 +17,9 @@ struct Words {
   std::string_view rest;
 };
 
+constexpr std::string_view kSpace = " \t\r\n";
+
 Words Split(std::string_view line) {
-  constexpr std::string_view kSpace = " \t\r";
   Words words;
   for (size_t at = line.find_first_not_of(kSpace); at != std::string_view::npos;
        at = line.find_first_not_of(kSpace, at)) {
@@ -46,6 +48,17 @@ tl::unexpected<Error> Usage(std::string_view example) {
   return Fail(ErrorCode::kBadText, "this command is not complete",
               fmt::format("for example: {}", example));
 }
+
+Result<uint32_t> Count(std::string_view word) {
+  uint32_t value = 0;
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (code != std::errc() || end != word.data() + word.size()) {
+    return Fail(ErrorCode::kBadNumber, fmt::format("'{}' is not a number counted from 0", word));
+  }
+  return value;
+}
+
+constexpr std::string_view kNone = "none";
 
 constexpr std::string_view kViewExample = "view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000";
 
@@ -86,10 +99,85 @@ Result<Command> ParsePick(const Words& words) {
 }
 
 Result<Command> ParseSetNumber(const Words& words) {
-  if (words.items.size() != 3) return Usage("set distance 12");
-  const auto number = Number(words.items[2]);
-  if (!number) return Fail(number);
-  return SetNumber{std::string(words.items[1]), *number};
+  if (words.items.size() < 3) return Usage("set distance 12");
+  // The dial's name is the first word; a length may have blanks before its unit.
+  const std::string_view dial = words.items[1];
+  const auto value = ParseLength(words.rest.substr(dial.size()));
+  if (!value) return Fail(value);
+  return SetNumber{std::string(dial), *value};
+}
+
+Result<Command> ParseTake(const Words& words) {
+  if (words.items.size() != 2) return Usage("take 0/1");
+  if (words.items[1] == kNone) return Take{};
+  auto path = ParseNodePath(words.items[1]);
+  if (!path) return Fail(path);
+  return Take{std::move(*path)};
+}
+
+Result<Command> ParseSwitch(const Words& words) {
+  if (words.items.size() != 3 || (words.items[2] != "on" && words.items[2] != "off")) {
+    return Usage("switch 0/1 off");
+  }
+  auto path = ParseNodePath(words.items[1]);
+  if (!path) return Fail(path);
+  return Switch{std::move(*path), words.items[2] == "on"};
+}
+
+Result<Command> ParseMove(const Words& words) {
+  if (words.items.size() != 4 || words.items[2] != "to") return Usage("move 0/2 to 0/0/1");
+  auto from = ParseNodePath(words.items[1]);
+  if (!from) return Fail(from);
+  auto to = ParseNodePath(words.items[3]);
+  if (!to) return Fail(to);
+  return Move{std::move(*from), std::move(*to)};
+}
+
+Result<Command> ParseDelete(const Words& words) {
+  if (words.items.size() != 2) return Usage("delete 0/1");
+  auto path = ParseNodePath(words.items[1]);
+  if (!path) return Fail(path);
+  return Delete{std::move(*path)};
+}
+
+Result<Command> ParseRenameTree(const Words& words) {
+  if (words.items.size() < 3) return Usage("rename-tree 0 structure");
+  const auto path = ParseNodePath(words.items[1]);
+  if (!path || path->size() != 1) return Usage("rename-tree 0 structure");
+  std::string_view name = words.rest.substr(words.items[1].size());
+  name.remove_prefix(name.find_first_not_of(kSpace));
+  return RenameTree{path->front(), std::string(name)};
+}
+
+Result<Command> ParseErase(const Words& words) {
+  if (words.items.size() < 2) return Usage("erase 3 4");
+  Erase erase;
+  for (size_t i = 1; i < words.items.size(); ++i) {
+    const auto number = Count(words.items[i]);
+    if (!number) return Fail(number);
+    erase.strokes.push_back(*number);
+  }
+  return erase;
+}
+
+Result<Command> ParseSelect(const Words& words) {
+  if (words.items.size() < 2) return Usage("select 0/2/5");
+  if (words.rest == kNone) return Select{};
+  return Select{{words.items.begin() + 1, words.items.end()}};
+}
+
+/// A command whose argument is all the rest of the line.
+template <typename C>
+Result<Command> OfRest(const Words& words, std::string_view example) {
+  if (words.rest.empty()) return Usage(example);
+  return C{std::string(words.rest)};
+}
+
+/// "WORD FROM TO"
+template <typename C>
+Result<Command> OfTwoNames(const Words& words, std::string_view example) {
+  if (words.items.size() != 3) return Usage(example);
+  return C{std::string(words.items[1]), std::string(words.items[2])};
 }
 
 struct Row {
@@ -98,40 +186,31 @@ struct Row {
 };
 
 constexpr std::array kRows = {
-    Row{"lot",
-        [](const Words& w) -> Result<Command> {
-          if (w.rest.empty()) return Usage("lot rect(20,14)");
-          return SetLot{std::string(w.rest)};
-        }},
+    Row{"lot", [](const Words& w) { return OfRest<SetLot>(w, "lot rect(20,14)"); }},
     Row{"view", ParseView},
     Row{"pick", ParsePick},
-    Row{"name",
-        [](const Words& w) -> Result<Command> {
-          if (w.items.size() != 3) return Usage("name B CenterFloors");
-          return RenameSymbol{std::string(w.items[1]), std::string(w.items[2])};
-        }},
-    Row{"query",
-        [](const Words& w) -> Result<Command> {
-          if (w.rest.empty()) return Usage("query .Facade:north");
-          return SetQuery{std::string(w.rest)};
-        }},
+    Row{"name", [](const Words& w) { return OfTwoNames<RenameSymbol>(w, "name B CenterFloors"); }},
+    Row{"rename-symbol",
+        [](const Words& w) { return OfTwoNames<RenameEverywhere>(w, "rename-symbol B Floors"); }},
+    Row{"query", [](const Words& w) { return OfRest<SetQuery>(w, "query .Facade:north"); }},
     Row{"set", ParseSetNumber},
     Row{"node",
-        [](const Words& w) -> Result<Command> {
-          if (w.rest.empty()) return Usage("node .Glass --> color(\"#7f9db5\")");
-          return AddNode{std::string(w.rest)};
-        }},
+        [](const Words& w) { return OfRest<AddNode>(w, "node .Glass --> color(\"#7f9db5\")"); }},
+    Row{"take", ParseTake},
+    Row{"switch", ParseSwitch},
+    Row{"move", ParseMove},
+    Row{"delete", ParseDelete},
+    Row{"tree", [](const Words& w) { return OfRest<AddTree>(w, "tree ornaments"); }},
+    Row{"rename-tree", ParseRenameTree},
+    Row{"keep-view", [](const Words& w) { return OfRest<KeepView>(w, "keep-view corner"); }},
+    Row{"go-view", [](const Words& w) { return OfRest<GoView>(w, "go-view corner"); }},
+    Row{"drop-view", [](const Words& w) { return OfRest<DropView>(w, "drop-view corner"); }},
+    Row{"erase", ParseErase},
+    Row{"select", ParseSelect},
     Row{"clear", [](const Words&) -> Result<Command> { return ClearSketch{}; }},
     Row{"undo", [](const Words&) -> Result<Command> { return Undo{}; }},
     Row{"redo", [](const Words&) -> Result<Command> { return Redo{}; }},
 };
-
-template <typename... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <typename... Cases>  // clang 16 can't work it out
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
@@ -149,29 +228,9 @@ Result<Command> ParseCommand(std::string_view line) {
                     : fmt::format("commands are {}", fmt::join(names, ", ")));
 }
 
-std::string TextOf(const Command& command) {
-  return std::visit(
-      Overloaded{
-          [](const SetLot& c) { return "lot " + c.lot; },
-          [](const SetView& c) {
-            const Camera& v = c.camera;
-            return fmt::format("view eye {} {} {} target {} {} {} fov {} size {} {}", v.eye.x,
-                               v.eye.y, v.eye.z, v.target.x, v.target.y, v.target.z,
-                               v.vertical_fov.degrees(), v.width_px, v.height_px);
-          },
-          [](const Pick& c) {
-            return c.operation.empty() ? fmt::format("pick {}", c.number)
-                                       : fmt::format("pick {} {}", c.number, c.operation);
-          },
-          [](const RenameSymbol& c) { return fmt::format("name {} {}", c.from, c.to); },
-          [](const SetQuery& c) { return "query " + c.query; },
-          [](const SetNumber& c) { return fmt::format("set {} {}", c.dial, c.value); },
-          [](const AddNode& c) { return "node " + c.text; },
-          [](const ClearSketch&) { return std::string("clear"); },
-          [](const Undo&) { return std::string("undo"); },
-          [](const Redo&) { return std::string("redo"); },
-      },
-      command);
+bool IsLooking(const Command& command) {
+  return std::holds_alternative<SetView>(command) || std::holds_alternative<GoView>(command) ||
+         std::holds_alternative<Take>(command);
 }
 
 }  // namespace parti::app

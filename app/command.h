@@ -1,5 +1,6 @@
 // What a person does besides drawing, as values: picked suggestions, views, typed text, undo.
-// The lines of a drawing's command stream, of the document's history, and of the panels to come.
+// The lines of a drawing's command stream and of the document's history; what panels send. The list
+// for people is in docs/drawings.md.
 #pragma once
 
 #include <string>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/node_path.h"
 #include "base/camera.h"
 #include "base/error.h"
 
@@ -32,19 +34,28 @@ struct Pick {
   bool operator==(const Pick&) const = default;
 };
 
-/// "name B CenterFloors": renames a symbol that the node just made gives.
+/// "name B CenterFloors": renames a symbol that the node in hand gives. Queries follow where no
+/// other node gives that symbol, and always below the node.
 struct RenameSymbol {
   std::string from, to;
   bool operator==(const RenameSymbol&) const = default;
 };
 
-/// "query .Facade:north": another selection for the node just made.
+/// "rename-symbol Facade Wall": renames a symbol wherever it is given and asked for.
+struct RenameEverywhere {
+  std::string from, to;
+  bool operator==(const RenameEverywhere&) const = default;
+};
+
+/// "query .Facade:north": another selection for the node in hand; where none is, what the next
+/// sketch acts on ("none" takes that back). "query 2": the 2nd query offered for the shapes tapped.
 struct SetQuery {
   std::string query;
   bool operator==(const SetQuery&) const = default;
 };
 
-/// "set distance 12": a typed number for the node just made; the name is a dial's.
+/// "set distance 12", "set sizes[1] 350 cm": a typed number for the node in hand; the name is a
+/// dial's. Lengths may have a unit (ParseLength); the value is in metres.
 struct SetNumber {
   std::string dial;
   double value = 0;
@@ -55,6 +66,75 @@ struct SetNumber {
 struct AddNode {
   std::string text;
   bool operator==(const AddNode&) const = default;
+};
+
+/// "take 0/2": the node in hand, which name, query and set act on; "take none": none is.
+struct Take {
+  NodePath path;  ///< of a node; empty: none
+  bool operator==(const Take&) const = default;
+};
+
+/// "switch 0/2 off": keeps a node and all below it, or a whole tree, from running; or lets it.
+struct Switch {
+  NodePath path;
+  bool on = true;
+  bool operator==(const Switch&) const = default;
+};
+
+/// "move 0/2 to 0/0/1": a node with all below it, or a tree, to the path that it then has.
+struct Move {
+  NodePath from, to;
+  bool operator==(const Move&) const = default;
+};
+
+/// "delete 0/2": a node with all below it, or a tree.
+struct Delete {
+  NodePath path;
+  bool operator==(const Delete&) const = default;
+};
+
+/// "tree ornaments": a new tree, which runs last.
+struct AddTree {
+  std::string name;
+  bool operator==(const AddTree&) const = default;
+};
+
+/// "rename-tree 1 ornaments".
+struct RenameTree {
+  int tree = 0;
+  std::string name;
+  bool operator==(const RenameTree&) const = default;
+};
+
+/// "keep-view street corner": keeps the view at hand under a name, or anew under one that is there.
+struct KeepView {
+  std::string name;
+  bool operator==(const KeepView&) const = default;
+};
+
+/// "go-view street corner": looks from there again, in a picture of the present size.
+struct GoView {
+  std::string name;
+  bool operator==(const GoView&) const = default;
+};
+
+/// "drop-view street corner".
+struct DropView {
+  std::string name;
+  bool operator==(const DropView&) const = default;
+};
+
+/// "erase 3 4": strokes of the sketch, by their numbers in the session (DrawnStroke::number).
+struct Erase {
+  std::vector<uint32_t> strokes;
+  bool operator==(const Erase&) const = default;
+};
+
+/// "select 0/2/5 lot-1:0/3": shapes tapped; one that was selected before no longer is. "select
+/// none": no shape is. Empty: none.
+struct Select {
+  std::vector<std::string> shapes;  ///< their ids
+  bool operator==(const Select&) const = default;
 };
 
 /// "clear": drops the strokes that no suggestion has been picked for.
@@ -70,11 +150,16 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-using Command = std::variant<SetLot, SetView, Pick, RenameSymbol, SetQuery, SetNumber, AddNode,
-                             ClearSketch, Undo, Redo>;
+using Command = std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery,
+                             SetNumber, AddNode, Take, Switch, Move, Delete, AddTree, RenameTree,
+                             KeepView, GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
 
-/// errors  kUnknownName  no such command, with "did you mean";  kBadText  what is missing;
-///         kBadNumber  a number that is not one, or a camera that can't see.
+/// Looking and taking a node in hand change nothing that undo would bring back.
+bool IsLooking(const Command& command);
+
+/// One line; line feeds in names become blanks.
+/// errors  kUnknownName  no such command, with "did you mean";  kBadText  what is missing, or not a
+///         path;  kBadNumber  a number that is not one, or a camera that can't see.
 Result<Command> ParseCommand(std::string_view line);
 
 /// Reads back as the same command.

@@ -169,8 +169,8 @@ Result<void> ReadView(const Statement& row, Camera* view) {
 Document DocumentOf(const Session& session) {
   const SessionState& state = session.state();
   Document document;
-  document.lots = state.model.lots;
-  document.trees = state.model.trees;
+  document.lots = state.model.lots();
+  document.trees = state.model.trees();
   document.view = state.camera;
   for (const HistoryEntry& entry : session.history()) {
     if (entry.command) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/check.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 using grammar::SelectionActionNode;
 
-std::vector<SelectionActionNode>& ChildrenAt(grammar::Trees* trees, const std::vector<int>& path) {
+std::vector<SelectionActionNode>& ChildrenAt(grammar::Trees* trees, const NodePath& path) {
   CHECK(!path.empty() && static_cast<size_t>(path[0]) < trees->size(), "a path names a tree");
   std::vector<SelectionActionNode>* nodes = &(*trees)[static_cast<size_t>(path[0])].nodes;
   for (size_t i = 1; i < path.size(); ++i) {
@@ -22,36 +21,9 @@ std::vector<SelectionActionNode>& ChildrenAt(grammar::Trees* trees, const std::v
   return *nodes;
 }
 
-/// Every symbol that an action gives, in reading order.
-std::vector<std::string*> SymbolsOf(grammar::Action* action);
-
-void CollectSymbols(std::vector<grammar::Successor>* successors, std::vector<std::string*>* found) {
-  for (grammar::Successor& s : *successors) {
-    CollectSymbols(&s.repeat, found);
-    for (grammar::Action& a : s.actions) {
-      for (std::string* symbol : SymbolsOf(&a)) found->push_back(symbol);
-    }
-    if (!s.symbol.empty() && s.symbol != grammar::kNil) found->push_back(&s.symbol);
-  }
-}
-
-std::vector<std::string*> SymbolsOf(grammar::Action* action) {
-  std::vector<std::string*> found;
-  CollectSymbols(&action->successors, &found);
-  if (!action->symbol.empty()) found.push_back(&action->symbol);
-  return found;
-}
-
-bool IsIdentifier(const std::string& text) {
-  const auto is_word = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
-  return !text.empty() && !std::isdigit(static_cast<unsigned char>(text[0])) &&
-         std::all_of(text.begin(), text.end(), is_word);
-}
-
 }  // namespace
 
-std::vector<int> InsertNode(grammar::Trees* trees, std::vector<int> path,
-                            SelectionActionNode node) {
+NodePath InsertNode(grammar::Trees* trees, NodePath path, SelectionActionNode node) {
   if (static_cast<size_t>(path[0]) == trees->size()) trees->push_back({"structure", true, {}});
   std::vector<SelectionActionNode>& siblings = ChildrenAt(trees, path);
   siblings.push_back(std::move(node));
@@ -59,10 +31,123 @@ std::vector<int> InsertNode(grammar::Trees* trees, std::vector<int> path,
   return path;
 }
 
-SelectionActionNode& NodeAt(grammar::Trees* trees, const std::vector<int>& path) {
+SelectionActionNode& NodeAt(grammar::Trees* trees, const NodePath& path) {
   CHECK(path.size() >= 2, "a tree is not a node");
-  std::vector<int> parent(path.begin(), path.end() - 1);
+  const NodePath parent(path.begin(), path.end() - 1);
   return ChildrenAt(trees, parent)[static_cast<size_t>(path.back())];
+}
+
+Result<void> CheckNodeOrTree(const grammar::Trees& trees, const NodePath& path) {
+  const auto refused = [&](const std::string& above, const char* what, size_t count) {
+    return Fail(ErrorCode::kUnknownName, fmt::format("there is nothing at {}", PathText(path)),
+                count == 0 ? fmt::format("{} has no nodes", above)
+                           : fmt::format("{} has {} {}, from 0", above, count, what));
+  };
+  CHECK(!path.empty(), "a path names a tree");
+  if (static_cast<size_t>(path[0]) >= trees.size()) {
+    return refused("the building", "trees", trees.size());
+  }
+  const std::vector<SelectionActionNode>* nodes = &trees[static_cast<size_t>(path[0])].nodes;
+  for (size_t i = 1; i < path.size(); ++i) {
+    if (static_cast<size_t>(path[i]) >= nodes->size()) {
+      return refused(PathText({path.begin(), path.begin() + static_cast<ptrdiff_t>(i)}), "nodes",
+                     nodes->size());
+    }
+    nodes = &(*nodes)[static_cast<size_t>(path[i])].children;
+  }
+  return {};
+}
+
+Result<void> CheckNode(const grammar::Trees& trees, const NodePath& path) {
+  if (path.size() >= 2) return CheckNodeOrTree(trees, path);
+  return Fail(ErrorCode::kUnknownName, fmt::format("{} is a tree, not a node", PathText(path)),
+              "name one of its nodes: 0/1");
+}
+
+Result<void> SwitchAt(grammar::Trees* trees, const NodePath& path, bool on) {
+  if (const auto there = CheckNodeOrTree(*trees, path); !there) return there;
+  bool& enabled = path.size() == 1 ? (*trees)[static_cast<size_t>(path[0])].enabled
+                                   : NodeAt(trees, path).enabled;
+  enabled = on;
+  return {};
+}
+
+Result<void> DeleteAt(grammar::Trees* trees, const NodePath& path) {
+  if (const auto there = CheckNodeOrTree(*trees, path); !there) return there;
+  if (path.size() == 1) {
+    trees->erase(trees->begin() + path[0]);
+  } else {
+    auto& siblings = ChildrenAt(trees, {path.begin(), path.end() - 1});
+    siblings.erase(siblings.begin() + path.back());
+  }
+  return {};
+}
+
+namespace {
+
+/// Moves the element at `from` of one vector to place `to`, counted without it.
+template <typename T>
+Result<void> MoveWithin(std::vector<T>* items, int from, int to) {
+  T item = std::move((*items)[static_cast<size_t>(from)]);
+  items->erase(items->begin() + from);
+  if (static_cast<size_t>(to) > items->size()) {
+    return Fail(ErrorCode::kUnknownName, fmt::format("the last tree is {}", items->size()));
+  }
+  items->insert(items->begin() + to, std::move(item));
+  return {};
+}
+
+}  // namespace
+
+Result<void> MoveNode(grammar::Trees* trees, const NodePath& from, const NodePath& to) {
+  if (const auto there = CheckNodeOrTree(*trees, from); !there) return there;
+  if ((from.size() == 1) != (to.size() == 1)) {
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{} can't move to {}", PathText(from), PathText(to)),
+                "trees stay trees (1), and nodes stay nodes (1/0)");
+  }
+  grammar::Trees edited = *trees;
+  if (from.size() == 1) {
+    if (const auto moved = MoveWithin(&edited, from[0], to[0]); !moved) return moved;
+  } else {
+    SelectionActionNode node = NodeAt(&edited, from);
+    if (const auto gone = DeleteAt(&edited, from); !gone) return gone;
+    const NodePath parent(to.begin(), to.end() - 1);
+    if (const auto there = CheckNodeOrTree(edited, parent); !there) return there;
+    auto& siblings = ChildrenAt(&edited, parent);
+    if (static_cast<size_t>(to.back()) > siblings.size()) {
+      return Fail(ErrorCode::kUnknownName, fmt::format("nothing can stand at {}", PathText(to)),
+                  fmt::format("the last place there is {}/{}", PathText(parent), siblings.size()));
+    }
+    siblings.insert(siblings.begin() + to.back(), std::move(node));
+  }
+  *trees = std::move(edited);
+  return {};
+}
+
+Result<void> CheckName(const std::string& name) {
+  constexpr size_t kLongest = 200;
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  const bool blank = name.find_first_not_of(' ') == std::string::npos;
+  if (!blank && name.size() <= kLongest && std::none_of(name.begin(), name.end(), is_control) &&
+      name.front() != ' ' && name.back() != ' ') {
+    return {};
+  }
+  return Fail(ErrorCode::kBadText, "this can't be a name",
+              fmt::format("one line of at most {} letters", kLongest));
+}
+
+Result<void> AddTreeNamed(grammar::Trees* trees, const std::string& name) {
+  if (const auto fit = CheckName(name); !fit) return fit;
+  trees->push_back({name, true, {}});
+  return {};
+}
+
+Result<void> RenameTreeAt(grammar::Trees* trees, int tree, const std::string& name) {
+  if (const auto there = CheckNodeOrTree(*trees, {tree}); !there) return there;
+  if (const auto fit = CheckName(name); !fit) return fit;
+  (*trees)[static_cast<size_t>(tree)].name = name;
+  return {};
 }
 
 grammar::Query QueryFor(const grammar::ShapeTree& tree, grammar::ShapeIndex shape) {
@@ -89,24 +174,6 @@ Result<SelectionActionNode> ParseNode(std::string_view text) {
                 "for example: .Lot --> extrude(12) Mass");
   }
   return std::move(trees->front().nodes.front());
-}
-
-Result<void> Rename(grammar::Action* action, const std::string& from, const std::string& to) {
-  if (!IsIdentifier(to)) {
-    return Fail(ErrorCode::kBadText, fmt::format("'{}' can't be a symbol", to),
-                "letters, digits and _, not beginning with a digit");
-  }
-  bool found = false;
-  std::vector<std::string> names;
-  for (std::string* symbol : SymbolsOf(action)) {
-    names.push_back(*symbol);
-    if (*symbol != from) continue;
-    *symbol = to;
-    found = true;
-  }
-  if (found) return {};
-  return Fail(ErrorCode::kUnknownName, fmt::format("this node gives no symbol '{}'", from),
-              names.empty() ? "it gives none" : fmt::format("it gives {}", fmt::join(names, ", ")));
 }
 
 Result<void> Requery(SelectionActionNode* node, const std::string& text) {

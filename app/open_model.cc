@@ -12,8 +12,9 @@ namespace {
 using Failed = tl::unexpected<std::vector<Error>>;
 
 tl::expected<OpenedModel, std::vector<Error>> Built(std::vector<Lot> lots, grammar::Trees trees,
-                                                    std::optional<Camera> view) {
-  auto model = BuiltOn(std::move(lots), std::move(trees));
+                                                    std::optional<Camera> view,
+                                                    grammar::Unfit unfit) {
+  auto model = BuiltOn(std::move(lots), std::move(trees), unfit);
   if (!model) return Failed({model.error()});
   return OpenedModel{std::move(*model), view};
 }
@@ -37,12 +38,13 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
     }
     auto document = OpenDocument(options.file);
     if (!document) return Failed({document.error()});
-    return Built(std::move(document->lots), std::move(document->trees), document->view);
+    return Built(std::move(document->lots), std::move(document->trees), document->view,
+                 grammar::Unfit::kSkip);
   }
   auto file =
       options.lot.empty() ? ReadModelFile(options.file) : ReadModelFile(options.file, options.lot);
   if (!file) return Failed(std::move(file.error()));
-  return Built(std::move(file->lots), std::move(file->trees), std::nullopt);
+  return Built(std::move(file->lots), std::move(file->trees), std::nullopt, grammar::Unfit::kFail);
 }
 
 int ReportAll(const std::vector<Error>& errors) {

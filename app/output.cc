@@ -27,7 +27,7 @@ ModelMesh MeshOf(const Model& model) {
 }
 
 Result<void> WriteRules(const Request& request) {
-  const std::string text = grammar::TextOf(request.model.trees);
+  const std::string text = grammar::TextOf(request.model.trees());
   if (text.empty()) {
     return Fail(ErrorCode::kNothingMade, fmt::format("there are no rules for {}", request.path));
   }

@@ -32,7 +32,7 @@ Result<void> AddMeaning(const SessionState& state, render::Scene* scene) {
 }
 
 Result<render::Image> DrawnBy(render::OffscreenRenderer* renderer, const SessionState& state) {
-  if (state.model.lots.empty()) {
+  if (state.model.lots().empty()) {
     return Fail(ErrorCode::kNothingMade, "there is nothing to show yet", "begin with a lot");
   }
   return renderer->Draw(SceneOf(state), state.camera);

@@ -5,7 +5,10 @@
 
 #include <vector>
 
+#include "app/command.h"
+#include "app/session_options.h"
 #include "app/session_state.h"
+#include "app/timeline.h"
 
 namespace parti::app {
 
@@ -13,13 +16,22 @@ namespace parti::app {
 /// are.
 class Session {
  public:
-  explicit Session(sketch::SketchParameters parameters = {});
+  explicit Session(SessionOptions options = {});
   /// Goes on with a model that was opened.
-  Session(Model model, const Camera& camera, sketch::SketchParameters parameters = {});
+  Session(Model model, const Camera& camera, SessionOptions options = {});
+  /// Goes on where a document left, undo and redo included. `strokes_drawn` is one more than the
+  /// number of the last stroke that was ever drawn in it.
+  Session(Timeline timeline, uint32_t strokes_drawn, SessionOptions options = {});
 
-  const SessionState& state() const { return state_; }
+  const SessionState& state() const { return timeline_.present(); }
+  /// The steps that undo and redo go through.
+  const Timeline& timeline() const { return timeline_; }
+  uint32_t strokes_drawn() const { return strokes_drawn_; }
+
   /// Everything that was done, in order: what a document keeps and a drawing replays.
   const std::vector<HistoryEntry>& history() const { return history_; }
+  /// For those who have written it elsewhere: memory then does not grow with use.
+  void ForgetHistory() { history_.clear(); }
 
   /// A finished stroke in the pixels of the current view. The shape that it is drawn on is found,
   /// its lines are lifted, and the suggestions are those of all strokes since the last pick.
@@ -27,17 +39,16 @@ class Session {
   /// errors  kTooShort  a tap;  kNoFit  no visible shape or operation fits;  kNothingMade  no lot.
   Result<void> AddStroke(const Stroke& stroke);
 
-  /// A command that fails changes nothing.
+  /// A command that fails changes nothing. Undo and redo go through strokes and commands alike,
+  /// except those that only look (IsLooking); the view stays.
   Result<void> Execute(const Command& command);
 
  private:
-  Result<SessionState> After(const Command& command) const;
-  /// Undo and redo go through strokes and commands alike, except views: looking is not a change.
-  void Remember();
+  Result<void> StepTo(bool back);
 
-  sketch::SketchParameters parameters_;
-  SessionState state_;
-  std::vector<SessionState> undo_, redo_;
+  SessionOptions options_;
+  Timeline timeline_;
+  uint32_t strokes_drawn_ = 0;
   std::vector<HistoryEntry> history_;
 };
 

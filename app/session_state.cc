@@ -3,20 +3,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace parti::app {
 
-namespace {
+std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots) {
+  auto ground = std::make_shared<Ground>();
+  for (const Lot& lot : lots) {
+    ground->roots.push_back(std::make_shared<const grammar::ShapeTree>(lot.item));
+  }
+  ground->lots = std::move(lots);
+  return ground;
+}
 
-/// Runs the model's trees on every lot; `previous` (may be null) stands on the same lots.
-Result<Model> Derived(Model model, const Model* previous) {
-  model.derived.clear();
-  for (size_t i = 0; i < model.roots.size(); ++i) {
-    auto derivation = grammar::Derive(model.trees, *model.roots[i], {},
-                                      previous ? previous->derived[i].get() : nullptr);
+Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees, grammar::Unfit unfit) {
+  return Derived(GroundOf(std::move(lots)),
+                 std::make_shared<const grammar::Trees>(std::move(trees)), nullptr, unfit);
+}
+
+Result<Model> Derived(std::shared_ptr<const Ground> ground,
+                      std::shared_ptr<const grammar::Trees> rules, const Model* previous,
+                      grammar::Unfit unfit) {
+  Model model{std::move(ground), std::move(rules), {}};
+  const size_t count = model.ground->roots.size();
+  const bool goes_on = previous != nullptr && previous->derived.size() == count;
+  for (size_t i = 0; i < count; ++i) {
+    auto derivation =
+        grammar::Derive(model.trees(), *model.ground->roots[i], {},
+                        goes_on ? previous->derived[i].get() : nullptr, nullptr, unfit);
     if (!derivation) {
       Error error = derivation.error();
-      if (model.roots.size() > 1) error.message = fmt::format("lot-{}: {}", i, error.message);
+      if (count > 1) error.message = fmt::format("lot-{}: {}", i, error.message);
       return tl::unexpected<Error>(std::move(error));
     }
     model.derived.push_back(std::make_shared<grammar::Derivation>(std::move(*derivation)));
@@ -24,26 +41,46 @@ Result<Model> Derived(Model model, const Model* previous) {
   return model;
 }
 
-}  // namespace
-
-Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees) {
-  Model model;
-  for (const Lot& lot : lots) {
-    model.roots.push_back(std::make_shared<const grammar::ShapeTree>(lot.item));
+std::vector<NodeProblem> ProblemsOf(const Model& model) {
+  std::vector<NodeProblem> problems;
+  for (size_t lot = 0; lot < model.derived.size(); ++lot) {
+    const grammar::Derivation& derivation = *model.derived[lot];
+    for (const grammar::DerivationProblem& problem : derivation.problems) {
+      problems.push_back(
+          {derivation.nodes[problem.result].path, lot, problem.shapes, problem.error});
+    }
   }
-  model.lots = std::move(lots);
-  model.trees = std::move(trees);
-  return Derived(std::move(model), nullptr);
-}
-
-Result<Model> WithTrees(const Model& model, grammar::Trees trees) {
-  Model next{model.lots, model.roots, std::move(trees), {}};
-  return Derived(std::move(next), &model);
+  return problems;
 }
 
 std::string IdOf(const Model& model, const ShapeRef& ref) {
   const std::string path = model.derived[ref.lot]->tree.IdOf(ref.shape);
-  return model.lots.size() > 1 ? fmt::format("lot-{}:{}", ref.lot, path) : path;
+  return model.derived.size() > 1 ? fmt::format("lot-{}:{}", ref.lot, path) : path;
+}
+
+Result<ShapeRef> RefAt(const Model& model, std::string_view id) {
+  constexpr std::string_view kLot = "lot-";
+  ShapeRef ref;
+  std::string_view path = id;
+  if (model.derived.size() > 1) {
+    const size_t colon = id.find(':');
+    const char* const end = id.data() + std::min(colon, id.size());
+    const bool named = id.starts_with(kLot) && colon != std::string_view::npos;
+    const auto read = std::from_chars(id.data() + (named ? kLot.size() : 0), end, ref.lot);
+    if (!named || read.ec != std::errc() || read.ptr != end) {
+      return Fail(ErrorCode::kBadText, fmt::format("'{}' is not the id of a shape", id),
+                  "a lot and a path, as in lot-3:0/2/5");
+    }
+    path = id.substr(colon + 1);
+  }
+  if (ref.lot >= model.derived.size()) {
+    return Fail(ErrorCode::kUnknownName, fmt::format("there is no shape '{}'", id),
+                fmt::format("the model has {} lots", model.derived.size()));
+  }
+  const auto shape = model.derived[ref.lot]->tree.AtId(path);
+  if (!shape) return Fail(shape);
+  ref.shape = *shape;
+  return ref;
 }
 
 std::vector<ShapeRef> VisibleShapes(const Model& model) {

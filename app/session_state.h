@@ -20,24 +20,52 @@ namespace parti::app {
 struct DrawnStroke {
   Stroke stroke;
   Camera camera;
+  uint32_t number = 0;  ///< in the order drawn, from 0; never used again, undone or not
 };
 
-/// What was built: the lots, the rules, and what the rules make of each lot.
-struct Model {
+/// What the rules run on; shared by all models on the same lots.
+struct Ground {
   std::vector<Lot> lots;
-  /// One per lot: its tree before any rule has run. Shared by all models on the same lots.
+  /// One per lot: its tree before any rule has run.
   std::vector<std::shared_ptr<const grammar::ShapeTree>> roots;
-  grammar::Trees trees;
+};
+
+/// A node that some shapes of a lot could not take: it stays, and acts on the others.
+struct NodeProblem {
+  std::vector<int> path;
+  size_t lot = 0;
+  size_t shapes = 0;  ///< how many; 0: its query can't be answered
+  Error error;        ///< names the node and the first shape
+};
+
+/// What was built: the lots, the rules, and what the rules make of each lot. Cheap to copy; the
+/// parts are shared and never change. `ground` and `rules` are never null.
+struct Model {
+  std::shared_ptr<const Ground> ground = std::make_shared<const Ground>();
+  std::shared_ptr<const grammar::Trees> rules = std::make_shared<const grammar::Trees>();
   /// One per lot: its shape tree and every node's selection.
   std::vector<std::shared_ptr<const grammar::Derivation>> derived;
+
+  const std::vector<Lot>& lots() const { return ground->lots; }
+  const grammar::Trees& trees() const { return *rules; }
 };
+
+/// Lots with their roots.
+std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots);
 
 /// A model on these lots.
 /// errors  those of grammar::Derive; the message names the lot where there are several.
-Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees);
+Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees,
+                      grammar::Unfit unfit = grammar::Unfit::kFail);
 
-/// The same lots under other rules; nodes that did not change are not run again. errors as BuiltOn.
-Result<Model> WithTrees(const Model& model, grammar::Trees trees);
+/// These rules on this ground. Nodes that are as in `previous` (may be null) are not run again.
+/// errors as BuiltOn.
+Result<Model> Derived(std::shared_ptr<const Ground> ground,
+                      std::shared_ptr<const grammar::Trees> rules, const Model* previous,
+                      grammar::Unfit unfit = grammar::Unfit::kFail);
+
+/// What the model's nodes could not act on, in the order in which they run, lot by lot.
+std::vector<NodeProblem> ProblemsOf(const Model& model);
 
 /// One shape of one lot.
 struct ShapeRef {
@@ -55,12 +83,32 @@ std::vector<ShapeRef> VisibleShapes(const Model& model);
 /// ref is one of the model's.
 const grammar::Shape& ShapeAt(const Model& model, const ShapeRef& ref);
 
+/// The shape of an id as IdOf writes it. errors  kBadText  not such an id;  kUnknownName  no shape
+/// there.
+Result<ShapeRef> RefAt(const Model& model, std::string_view id);
+
 /// The strokes that no suggestion has been picked for yet, and what they may mean.
 struct Sketch {
   std::vector<std::shared_ptr<const DrawnStroke>> strokes;
+  /// Drawn since the last pick and meaning nothing: ink that waits to be erased or cleared.
+  std::vector<std::shared_ptr<const DrawnStroke>> unread;
+  /// What it is to act on, as chosen with `query`; nothing: what it is drawn on.
+  std::optional<grammar::Query> query;
   std::optional<ShapeRef> target;  ///< the shape drawn on
   sketch::Configuration lines;
   std::vector<sketch::Suggestion> suggestions;  ///< best first
+};
+
+/// Shapes that were tapped, and the queries that may be meant by them.
+struct Selection {
+  std::vector<ShapeRef> shapes;  ///< in the order tapped
+};
+
+/// A view that was kept under a name.
+struct NamedView {
+  std::string name;
+  Camera camera;
+  bool operator==(const NamedView&) const = default;
 };
 
 /// One entry of the history: a stroke, or a command.
@@ -71,7 +119,7 @@ struct HistoryEntry {
 
 /// A stroke group and what became of it, for `replay --json` and bug reports.
 struct Step {
-  std::vector<size_t> strokes;      ///< their numbers in the session, from 0
+  std::vector<uint32_t> strokes;    ///< their numbers in the session
   std::string target;               ///< its id
   std::vector<std::string> ranked;  ///< the suggested actions as text
   std::string chosen;               ///< as it was when picked
@@ -82,9 +130,13 @@ struct SessionState {
   Camera camera;
   Model model;
   Sketch sketch;
-  std::vector<std::shared_ptr<const DrawnStroke>> strokes;  ///< all, in the order drawn
-  std::vector<int> last_node;  ///< path of the node just made; empty: none
-  std::vector<Step> steps;
+  Selection selection;
+  std::vector<NamedView> views;  ///< in the order first kept
+  /// Path of the node in hand, the one just made or taken; empty: none.
+  std::vector<int> in_hand;
+  bool just_made = false;  ///< the node in hand was made, not taken: a tap lets it go
+  /// Where SessionOptions::keep_steps asks for them.
+  std::vector<std::shared_ptr<const Step>> steps;
 };
 
 }  // namespace parti::app

@@ -18,7 +18,7 @@ namespace parti::app {
 class SessionThread::Impl {
  public:
   explicit Impl(SessionThreadOptions options)
-      : options_(std::move(options)), session_(options_.parameters) {
+      : options_(std::move(options)), session_(options_.session) {
     Publish();
     thread_ = std::thread([this] { Work(); });
   }
@@ -96,7 +96,7 @@ class SessionThread::Impl {
   Result<void> Do(const DocumentRequest& request) {
     switch (request.kind) {
       case DocumentRequest::Kind::kNew:
-        session_ = Session(options_.parameters);
+        session_ = Session(options_.session);
         snapshot_.document = {};
         snapshot_.acknowledged = snapshot_.executed;
         return {};
@@ -115,9 +115,10 @@ class SessionThread::Impl {
   Result<void> Open(const std::string& path) {
     auto document = OpenDocument(path);
     if (!document) return Fail(document);
-    auto model = BuiltOn(std::move(document->lots), std::move(document->trees));
+    auto model =
+        BuiltOn(std::move(document->lots), std::move(document->trees), grammar::Unfit::kSkip);
     if (!model) return Fail(model);
-    session_ = Session(std::move(*model), document->view, options_.parameters);
+    session_ = Session(std::move(*model), document->view, options_.session);
     snapshot_.document = {path, true};
     snapshot_.acknowledged = snapshot_.executed;
     return {};

@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
+#include "app/session_options.h"
 #include "app/session_snapshot.h"
 #include "app/user_folders.h"
 #include "app/wake_fd.h"
-#include "sketch/parameters.h"
 
 namespace parti::app {
 
@@ -18,7 +18,7 @@ namespace parti::app {
 struct SessionThreadOptions {
   std::string path = {};  ///< the document to open first; "" for a new one
   UserFolders folders = UserFoldersFromEnvironment();
-  sketch::SketchParameters parameters = {};
+  SessionOptions session = {};
 };
 
 /// Properties  (1) requests take effect in the order in which they were posted;

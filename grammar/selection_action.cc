@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/check.h"
 #include "grammar/selection_action_plan.h"
 
@@ -17,8 +19,12 @@ std::string Counted(size_t count) {
 class Driver {
  public:
   Driver(const ShapeTree& lot, const Limits& limits, const Derivation* previous,
-         const std::atomic<bool>* cancelled)
-      : derivation_{lot, lot, {}, {}}, limits_(limits), previous_(previous), cancelled_(cancelled) {
+         const std::atomic<bool>* cancelled, Unfit unfit)
+      : derivation_{lot, lot, {}, {}, {}},
+        limits_(limits),
+        previous_(previous),
+        cancelled_(cancelled),
+        unfit_(unfit) {
     if (previous_ != nullptr && !previous_->lot.SharesAllWith(lot)) previous_ = nullptr;
   }
 
@@ -73,6 +79,9 @@ class Driver {
     for (const DerivationHint& hint : previous_->hints) {
       if (hint.result < shared) derivation_.hints.push_back(hint);
     }
+    for (const DerivationProblem& problem : previous_->problems) {
+      if (problem.result < shared) derivation_.problems.push_back(problem);
+    }
     previous_ = nullptr;
     return false;
   }
@@ -81,15 +90,19 @@ class Driver {
     ShapeTree& tree = derivation_.tree;
     const auto* within = parent < 0 ? nullptr : &derivation_.nodes[parent].selected;
     auto selected = ProductOf(node.query, tree, within);
-    if (!selected) return FailIn(node, selected.error());
+    const bool hopeless = !selected;
+    if (hopeless) {
+      if (const auto kept = Keep(Named(node, selected.error()), 0); !kept) return kept;
+      selected.emplace();
+    }
     NodeResult result{path_,       node.query, node.action, parent, std::move(*selected),
                       tree.size(), tree};
     if (!result.selected.empty()) {
       const size_t covered = CountParents(result.selected);
-      const auto acted = ActOn(node, result.selected);
+      const auto acted = ActOn(node, &result.selected);
       if (!acted) return acted;
-      HintAt(node, covered, tree.size() - result.first_made);
-    } else if (within == nullptr || !within->empty()) {
+      if (!result.selected.empty()) HintAt(node, covered, tree.size() - result.first_made);
+    } else if (!hopeless && (within == nullptr || !within->empty())) {
       Hint(node, "selected nothing");
     }
     result.after = tree;
@@ -97,17 +110,48 @@ class Driver {
     return {};
   }
 
-  Result<void> ActOn(const SelectionActionNode& node, const std::vector<ShapeIndex>& selected) {
+  /// Acts on what is selected, less the shapes that it can't act on.
+  Result<void> ActOn(const SelectionActionNode& node, std::vector<ShapeIndex>* selected) {
+    const ShapeTree before = derivation_.tree;
+    auto acted = ActOnEach(node, *selected);
+    if (!acted) return Fail(acted);
+    if (!acted->failure) return {};
+    const size_t unfit = selected->size() - acted->fit.size();
+    if (const auto kept = Keep(std::move(*acted->failure), unfit); !kept) return kept;
+    // Once more without those that failed: they may have got some of their children.
+    derivation_.tree = before;
+    *selected = std::move(acted->fit);
+    const auto again = ActOnEach(node, *selected);
+    if (!again) return Fail(again);
+    CHECK(!again->failure, "what a shape can take does not depend on others of its selection");
+    return {};
+  }
+
+  /// Which shapes an action could be applied to, and why not to the first of the others.
+  struct Acted {
+    std::vector<ShapeIndex> fit;
+    std::optional<Error> failure;
+  };
+
+  /// errors  cancelled.
+  Result<Acted> ActOnEach(const SelectionActionNode& node, const std::vector<ShapeIndex>& shapes) {
     ShapeTree& tree = derivation_.tree;
     const ActionPlan plan = PlanOf(node.action, &tree);
-    for (const ShapeIndex shape : selected) {
+    Acted acted;
+    for (const ShapeIndex shape : shapes) {
       if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed)) {
         return Fail(ErrorCode::kLimitReached, "the derivation was cancelled");
       }
-      const auto acted = Act(plan, shape, limits_.shapes, &tree);
-      if (!acted) return FailIn(node, acted.error(), shape);
+      const auto one = Act(plan, shape, limits_.shapes, &tree);
+      if (one) {
+        acted.fit.push_back(shape);
+        continue;
+      }
+      if (!acted.failure) acted.failure = Named(node, one.error(), shape);
+      if (unfit_ == Unfit::kFail) return acted;
+      if (one.error().code == ErrorCode::kLimitReached) return Acted{{}, std::move(acted.failure)};
     }
-    return {};
+    return acted;
   }
 
   size_t CountParents(const std::vector<ShapeIndex>& shapes) const {
@@ -130,31 +174,39 @@ class Driver {
     derivation_.hints.push_back({TextOf(node), std::move(message), derivation_.nodes.size()});
   }
 
-  tl::unexpected<Error> FailIn(const SelectionActionNode& node, Error error) const {
-    error.message = fmt::format("node '{}': {}", TextOf(node), error.message);
-    return tl::unexpected<Error>(std::move(error));
+  /// The end of the derivation, or a problem of the node that is about to have a result.
+  Result<void> Keep(Error error, size_t shapes) {
+    if (unfit_ == Unfit::kFail) return tl::unexpected<Error>(std::move(error));
+    derivation_.problems.push_back({std::move(error), shapes, derivation_.nodes.size()});
+    return {};
   }
 
-  tl::unexpected<Error> FailIn(const SelectionActionNode& node, Error error,
-                               ShapeIndex shape) const {
+  static Error Named(const SelectionActionNode& node, Error error) {
+    error.message = fmt::format("node '{}': {}", TextOf(node), error.message);
+    return error;
+  }
+
+  Error Named(const SelectionActionNode& node, Error error, ShapeIndex shape) const {
     const ShapeTree& tree = derivation_.tree;
     error.message = fmt::format("shape {} '{}': {}", tree.IdOf(shape),
                                 tree.Name(tree[shape].symbol), error.message);
-    return FailIn(node, std::move(error));
+    return Named(node, std::move(error));
   }
 
   Derivation derivation_;
   Limits limits_;
   const Derivation* previous_;  ///< null once sharing has stopped
   const std::atomic<bool>* cancelled_;
+  Unfit unfit_;
   std::vector<int> path_;
 };
 
 }  // namespace
 
 Result<Derivation> Derive(const Trees& trees, const ShapeTree& lot, const Limits& limits,
-                          const Derivation* previous, const std::atomic<bool>* cancelled) {
-  Driver driver(lot, limits, previous, cancelled);
+                          const Derivation* previous, const std::atomic<bool>* cancelled,
+                          Unfit unfit) {
+  Driver driver(lot, limits, previous, cancelled, unfit);
   const auto run = driver.Run(trees);
   if (!run) return Fail(run);
   return std::move(driver).Take();

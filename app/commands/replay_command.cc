@@ -30,11 +30,11 @@ size_t CountNodes(const std::vector<grammar::SelectionActionNode>& nodes) {
 
 Json StepsOf(const SessionState& state) {
   Json steps = Json::array();
-  for (const Step& step : state.steps) {
-    steps.push_back({{"strokes", step.strokes},
-                     {"target", step.target},
-                     {"operations", step.ranked},
-                     {"chosen", step.chosen}});
+  for (const auto& step : state.steps) {
+    steps.push_back({{"strokes", step->strokes},
+                     {"target", step->target},
+                     {"operations", step->ranked},
+                     {"chosen", step->chosen}});
   }
   return steps;
 }
@@ -42,7 +42,7 @@ Json StepsOf(const SessionState& state) {
 Json Summary(const Session& session, const ReplayReport& report) {
   const Model& model = session.state().model;
   size_t nodes = 0, shapes = 0;
-  for (const auto& tree : model.trees) nodes += CountNodes(tree.nodes);
+  for (const auto& tree : model.trees()) nodes += CountNodes(tree.nodes);
   for (const auto& derivation : model.derived) shapes += derivation->tree.size();
   Json unread = Json::array();
   for (const Error& error : report.unread) unread.push_back(error.message);
@@ -73,7 +73,7 @@ int Replay(const Options& options) {
   if (!text) return Report(text.error());
   const input::DrawingReading reading = input::ReadDrawing(*text, options.drawing);
 
-  Session session;
+  Session session({.keep_steps = true});
   ReplayReport report;
   std::unique_ptr<FrameWriter> frames;
   if (!options.frames.empty()) {
@@ -90,7 +90,7 @@ int Replay(const Options& options) {
   for (const Error& error : report.unread) Report(error);
   // What came before the damage is played and written all the same; the exit status tells.
   if (reading.damage) status = Report(*reading.damage);
-  if (session.state().model.lots.empty()) {
+  if (session.state().model.lots().empty()) {
     return Report({ErrorCode::kNothingMade, fmt::format("{} builds nothing", options.drawing),
                    "a drawing begins with a lot: after 0: lot rect(20,14)"});
   }

@@ -9,11 +9,35 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(CommandTest, EveryCommandReadsBackAsWritten) {
-  for (const char* line :
-       {"lot rect(20,14)", "lot poly(0,0 10,0 10,8)",
-        "view eye 30.1 14 40 target 10 5 7 fov 40 size 1600 1000", "pick 2", "pick 1 split",
-        "name B CenterFloors", "query .Facade:north / .Floor:even", "set sizes[1] 2.75",
-        "node .Glass --> color(\"#7f9db5\")", "clear", "undo", "redo"}) {
+  for (const char* line : {"lot rect(20,14)",
+                           "lot poly(0,0 10,0 10,8)",
+                           "view eye 30.1 14 40 target 10 5 7 fov 40 size 1600 1000",
+                           "pick 2",
+                           "pick 1 split",
+                           "name B CenterFloors",
+                           "query .Facade:north / .Floor:even",
+                           "set sizes[1] 2.75",
+                           "node .Glass --> color(\"#7f9db5\")",
+                           "clear",
+                           "undo",
+                           "redo",
+                           "rename-symbol B Floors",
+                           "take 0/1",
+                           "take none",
+                           "switch 0/2/1 off",
+                           "switch 1 on",
+                           "move 0/2 to 0/0/1",
+                           "delete 0/1",
+                           "tree street furniture",
+                           "rename-tree 1 street furniture",
+                           "keep-view street corner",
+                           "go-view street corner",
+                           "drop-view street corner",
+                           "erase 3 4",
+                           "select 0/2/5 lot-1:0/3 .",
+                           "select none",
+                           "query 2",
+                           "query none"}) {
     const auto command = ParseCommand(line);
     ASSERT_TRUE(command) << line << ": " << command.error().message;
     EXPECT_EQ(TextOf(*command), line);
@@ -43,7 +67,14 @@ TEST(CommandTest, AMisspeltCommandIsAnsweredWithTheOneMeant) {
 }
 
 TEST(CommandTest, IncompleteCommandsShowAnExample) {
-  for (const char* line : {"lot", "view eye 1 2 3", "pick", "name A", "query", "set x", "node"}) {
+  for (const char* line : {"lot",          "view eye 1 2 3",  "pick",
+                           "name A",       "query",           "set x",
+                           "node",         "rename-symbol A", "take",
+                           "take 0 1",     "switch 0/1",      "switch 0/1 maybe",
+                           "move 0/1 0/2", "move 0/1",        "delete",
+                           "tree",         "rename-tree 1",   "rename-tree 0/1 x",
+                           "keep-view",    "go-view",         "drop-view",
+                           "erase",        "select"}) {
     const auto command = ParseCommand(line);
     ASSERT_FALSE(command) << line;
     EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;
@@ -51,12 +82,34 @@ TEST(CommandTest, IncompleteCommandsShowAnExample) {
   }
 }
 
+TEST(CommandTest, PathsThatAreNoneAreRefused) {
+  for (const char* line : {"take 0/", "take /1", "take 0//1", "take x", "take -1", "take 0/-1",
+                           "delete 99999999999999", "move 0/1 to y", "switch 0.1 on"}) {
+    const auto command = ParseCommand(line);
+    ASSERT_FALSE(command) << line;
+    EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;
+    EXPECT_THAT(command.error().hint, HasSubstr("0/2/1")) << line;
+  }
+}
+
+TEST(CommandTest, LengthsAreTypedWithTheirUnits) {
+  const auto metres = [](const char* line) {
+    const auto command = ParseCommand(line);
+    EXPECT_TRUE(command) << line;
+    return command ? std::get<SetNumber>(*command).value : 0;
+  };
+  EXPECT_EQ(metres("set distance 3.5 m"), 3.5);
+  EXPECT_EQ(metres("set sizes[1] 350cm"), 3.5);
+  EXPECT_DOUBLE_EQ(metres("set distance 12ft 6in"), 12.5 * 0.3048);
+}
+
 TEST(CommandTest, NumbersThatAreNoneAreRefused) {
-  for (const char* line : {"pick one", "pick 0", "pick 1.5", "set distance nan", "set distance 12m",
-                           "view eye inf 14 40 target 10 5 7 fov 40 size 1600 1000",
-                           "view eye 1 1 1 target 1 1 1 fov 40 size 1600 1000",
-                           "view eye 0 9 0 target 0 0 0 fov 40 size 1600 1000",
-                           "view eye 30 14 40 target 10 5 7 fov 190 size 1600 1000"}) {
+  for (const char* line :
+       {"erase -1", "erase 1.5", "erase 3 x", "pick one", "pick 0", "pick 1.5", "set distance nan",
+        "set distance 12x", "view eye inf 14 40 target 10 5 7 fov 40 size 1600 1000",
+        "view eye 1 1 1 target 1 1 1 fov 40 size 1600 1000",
+        "view eye 0 9 0 target 0 0 0 fov 40 size 1600 1000",
+        "view eye 30 14 40 target 10 5 7 fov 190 size 1600 1000"}) {
     const auto command = ParseCommand(line);
     ASSERT_FALSE(command) << line;
     EXPECT_EQ(command.error().code, ErrorCode::kBadNumber) << line;

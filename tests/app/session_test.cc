@@ -55,7 +55,7 @@ class SessionTest : public ::testing::Test {
     Draw({20, 0, 14}, {20, 19, 14});
     Do("pick 1 extrude");
   }
-  std::string Rules() const { return grammar::TextOf(session_.state().model.trees); }
+  std::string Rules() const { return grammar::TextOf(session_.state().model.trees()); }
 
   Session session_;
 };
@@ -75,7 +75,7 @@ TEST_F(SessionTest, APickedSuggestionBecomesANodeUnderTheOneThatMadeItsTarget) {
   Draw({0, 19, 14}, {20, 19, 14});
   Draw({20, 19, 14}, {20, 19, 0});
   Do("pick 1 comp");
-  const auto& trees = session_.state().model.trees;
+  const auto& trees = session_.state().model.trees();
   ASSERT_THAT(trees, SizeIs(1));
   ASSERT_THAT(trees[0].nodes, SizeIs(1));
   ASSERT_THAT(trees[0].nodes[0].children, SizeIs(1));
@@ -150,7 +150,7 @@ TEST_F(SessionTest, ATapIsKeptAsInkAndSaysWhy) {
   const auto read = session_.AddStroke({{Vec2(800, 500), 0.0}});
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kTooShort);
-  EXPECT_THAT(session_.state().strokes, SizeIs(1));
+  EXPECT_THAT(session_.state().sketch.unread, SizeIs(1));
   EXPECT_THAT(session_.state().sketch.strokes, IsEmpty());
 }
 
@@ -158,7 +158,7 @@ TEST_F(SessionTest, AStrokeThatFitsNothingIsKeptAsInkOnly) {
   const auto read = session_.AddStroke(StrokeFrom("20,20 24,21 28,19 32,22"));
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kNoFit);
-  EXPECT_THAT(session_.state().strokes, SizeIs(1));
+  EXPECT_THAT(session_.state().sketch.unread, SizeIs(1));
   EXPECT_THAT(session_.state().sketch.suggestions, IsEmpty());
 }
 

@@ -51,14 +51,14 @@ TEST_F(SessionThreadTest, WhatIsPostedIsExecutedInOrderAndAcknowledged) {
   EXPECT_EQ(now->executed, 3u);
   EXPECT_EQ(now->acknowledged, 3u);
   EXPECT_FALSE(now->last_error);
-  EXPECT_THAT(grammar::TextOf(now->state->model.trees), HasSubstr("extrude(7)"));
+  EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(7)"));
 }
 
 TEST_F(SessionThreadTest, SnapshotsStayAsTheyAre) {
   SessionThread thread(options_);
   const auto before = Settled(&thread, thread.Post(Line("lot rect(20,14)")));
   Settled(&thread, thread.Post(Line("node .Lot --> extrude(12) Mass")));
-  EXPECT_THAT(before->state->model.trees, SizeIs(0));
+  EXPECT_THAT(before->state->model.trees(), SizeIs(0));
 }
 
 TEST_F(SessionThreadTest, WhatFailsIsSaidWithItsNumberAndTheRestGoesOn) {
@@ -69,7 +69,7 @@ TEST_F(SessionThreadTest, WhatFailsIsSaidWithItsNumberAndTheRestGoesOn) {
   ASSERT_TRUE(now->last_error);
   EXPECT_EQ(now->last_error->number, wrong);
   EXPECT_THAT(now->last_error->error.message, HasSubstr("no suggestion"));
-  EXPECT_THAT(now->state->model.trees, SizeIs(1));
+  EXPECT_THAT(now->state->model.trees(), SizeIs(1));
 }
 
 TEST_F(SessionThreadTest, ANewDocumentLivesAmongTheDraftsFromTheFirstCommandOn) {

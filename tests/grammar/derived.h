@@ -31,7 +31,7 @@ inline Derivation Derived(std::string_view nodes) {
   auto derivation = Derive(TreesFrom("tree t {\n" + std::string(nodes) + "\n}"), LotOf(20, 10));
   if (derivation) return std::move(*derivation);
   ADD_FAILURE() << FormatError(derivation.error());
-  return {LotOf(20, 10), LotOf(20, 10), {}, {}};
+  return {LotOf(20, 10), LotOf(20, 10), {}, {}, {}};
 }
 
 inline std::vector<std::string> IdsOf(const ShapeTree& tree,

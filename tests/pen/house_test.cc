@@ -30,7 +30,7 @@ std::string ShippedText() {
 }
 
 app::Session Played(const input::Drawing& drawing) {
-  app::Session session;
+  app::Session session({.keep_steps = true});
   app::ReplayReport report;
   const auto played = app::Replay(drawing, &session, &report);
   EXPECT_TRUE(played) << FormatError(played.error());
@@ -93,9 +93,9 @@ TEST(HouseTest, TheDrawingBecomesTheHouseAndItsRules) {
   ASSERT_FALSE(reading.damage);
   const app::Session session = Played(reading.drawing);
   const app::Model& model = session.state().model;
-  ASSERT_THAT(model.trees, SizeIs(1));
-  EXPECT_THAT(Structure(model.trees[0].nodes), kHouse);
-  EXPECT_EQ(session.state().strokes.size(), 23u);
+  ASSERT_THAT(model.trees(), SizeIs(1));
+  EXPECT_THAT(Structure(model.trees()[0].nodes), kHouse);
+  EXPECT_EQ(session.strokes_drawn(), 23u);
   EXPECT_EQ(session.state().steps.size(), 10u);
 }
 
@@ -103,7 +103,7 @@ TEST(HouseTest, TheRulesHaveTheSizesThatWereDrawn) {
   const app::Session session = Played(HouseDrawing(1));
   // Within what the hand's scatter allows: 6 % and 10 cm.
   const std::vector<double> drawn = {19, 4, 1, 3, 3, 2.5, -0.5, 4, -0.5, -2, 4, 0.15, 0.6};
-  const std::vector<double> numbers = Numbers(session.state().model.trees);
+  const std::vector<double> numbers = Numbers(session.state().model.trees());
   ASSERT_EQ(numbers.size(), drawn.size());
   for (size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_NEAR(numbers[i], drawn[i], 0.06 * std::abs(drawn[i]) + 0.1) << "number " << i;
@@ -127,14 +127,14 @@ TEST(HouseTest, EveryFloorOfEveryFacadeHasItsWindows) {
 TEST(HouseTest, OtherHandsDrawTheSameHouse) {
   for (uint64_t seed = 2; seed < 13; ++seed) {
     const app::Session session = Played(HouseDrawing(seed));
-    ASSERT_THAT(session.state().model.trees, SizeIs(1)) << seed;
-    EXPECT_THAT(Structure(session.state().model.trees[0].nodes), kHouse) << seed;
+    ASSERT_THAT(session.state().model.trees(), SizeIs(1)) << seed;
+    EXPECT_THAT(Structure(session.state().model.trees()[0].nodes), kHouse) << seed;
   }
 }
 
 TEST(HouseTest, TheSameDrawingGivesTheSameRules) {
-  EXPECT_EQ(grammar::TextOf(Played(HouseDrawing(1)).state().model.trees),
-            grammar::TextOf(Played(HouseDrawing(1)).state().model.trees));
+  EXPECT_EQ(grammar::TextOf(Played(HouseDrawing(1)).state().model.trees()),
+            grammar::TextOf(Played(HouseDrawing(1)).state().model.trees()));
 }
 
 TEST(HouseTest, ThePictureIsTheOneThatWasLookedAt) {
@@ -154,10 +154,10 @@ TEST(HouseTest, ThroughTheRealLibinputItIsTheSameHouse) {
   seen->commands = drawn.commands;
   const app::Session session = Played(*seen);
   const app::Session direct = Played(drawn);
-  ASSERT_THAT(session.state().model.trees, SizeIs(1));
-  EXPECT_THAT(Structure(session.state().model.trees[0].nodes), kHouse);
-  const auto numbers = Numbers(session.state().model.trees);
-  const auto expected = Numbers(direct.state().model.trees);
+  ASSERT_THAT(session.state().model.trees(), SizeIs(1));
+  EXPECT_THAT(Structure(session.state().model.trees()[0].nodes), kHouse);
+  const auto numbers = Numbers(session.state().model.trees());
+  const auto expected = Numbers(direct.state().model.trees());
   ASSERT_EQ(numbers.size(), expected.size());
   for (size_t i = 0; i < numbers.size(); ++i) EXPECT_NEAR(numbers[i], expected[i], 0.05) << i;
   const auto image = app::PictureOf(session.state());

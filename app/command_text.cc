@@ -1,0 +1,64 @@
+// Commands as the text that ParseCommand (command.cc) reads back.
+#include <fmt/format.h>
+
+#include "app/command.h"
+
+namespace parti::app {
+namespace {
+
+template <typename... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <typename... Cases>  // clang 16 can't work it out
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace
+
+std::string TextOf(const Command& command) {
+  return std::visit(
+      Overloaded{
+          [](const SetLot& c) { return "lot " + c.lot; },
+          [](const SetView& c) {
+            const Camera& v = c.camera;
+            return fmt::format("view eye {} {} {} target {} {} {} fov {} size {} {}", v.eye.x,
+                               v.eye.y, v.eye.z, v.target.x, v.target.y, v.target.z,
+                               v.vertical_fov.degrees(), v.width_px, v.height_px);
+          },
+          [](const Pick& c) {
+            return c.operation.empty() ? fmt::format("pick {}", c.number)
+                                       : fmt::format("pick {} {}", c.number, c.operation);
+          },
+          [](const RenameSymbol& c) { return fmt::format("name {} {}", c.from, c.to); },
+          [](const RenameEverywhere& c) {
+            return fmt::format("rename-symbol {} {}", c.from, c.to);
+          },
+          [](const SetQuery& c) { return "query " + c.query; },
+          [](const SetNumber& c) { return fmt::format("set {} {}", c.dial, c.value); },
+          [](const AddNode& c) { return "node " + c.text; },
+          [](const Take& c) { return "take " + (c.path.empty() ? "none" : PathText(c.path)); },
+          [](const Switch& c) {
+            return fmt::format("switch {} {}", PathText(c.path), c.on ? "on" : "off");
+          },
+          [](const Move& c) {
+            return fmt::format("move {} to {}", PathText(c.from), PathText(c.to));
+          },
+          [](const Delete& c) { return "delete " + PathText(c.path); },
+          [](const AddTree& c) { return "tree " + c.name; },
+          [](const RenameTree& c) { return fmt::format("rename-tree {} {}", c.tree, c.name); },
+          [](const KeepView& c) { return "keep-view " + c.name; },
+          [](const GoView& c) { return "go-view " + c.name; },
+          [](const DropView& c) { return "drop-view " + c.name; },
+          [](const Erase& c) { return fmt::format("erase {}", fmt::join(c.strokes, " ")); },
+          [](const Select& c) {
+            return c.shapes.empty() ? std::string("select none")
+                                    : fmt::format("select {}", fmt::join(c.shapes, " "));
+          },
+          [](const ClearSketch&) { return std::string("clear"); },
+          [](const Undo&) { return std::string("undo"); },
+          [](const Redo&) { return std::string("redo"); },
+      },
+      command);
+}
+
+}  // namespace parti::app

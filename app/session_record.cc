@@ -1,0 +1,45 @@
+#include "app/session_record.h"
+
+#include <algorithm>
+
+#include "app/sketch_reading.h"
+
+namespace parti::app {
+namespace {
+
+bool IsThere(const Model& model, const ShapeRef& ref) {
+  return ref.lot < model.derived.size() && ref.shape < model.derived[ref.lot]->tree.size();
+}
+
+}  // namespace
+
+SessionRecord RecordOf(const SessionState& state) {
+  return {state.model.ground,     state.model.rules,  state.sketch.strokes,
+          state.sketch.unread,    state.sketch.query, state.sketch.target,
+          state.selection.shapes, state.views,        state.in_hand,
+          state.just_made,        state.camera};
+}
+
+Result<SessionState> Restore(const SessionRecord& record, const SessionOptions& options,
+                             const Model* nearby) {
+  auto model = Derived(record.ground, record.rules, nearby, grammar::Unfit::kSkip);
+  if (!model) return Fail(model);
+  SessionState state;
+  state.camera = record.camera;
+  state.model = std::move(*model);
+  state.views = record.views;
+  state.in_hand = record.in_hand;
+  state.just_made = record.just_made;
+  for (const ShapeRef& ref : record.selection) {
+    if (IsThere(state.model, ref)) state.selection.shapes.push_back(ref);
+  }
+  state.sketch.strokes = record.strokes;
+  state.sketch.unread = record.unread;
+  state.sketch.query = record.query;
+  if (record.target && IsThere(state.model, *record.target)) state.sketch.target = record.target;
+  // What can't be read any more stays as ink.
+  if (auto read = ReadSketch(state, options)) state.sketch = std::move(*read);
+  return state;
+}
+
+}  // namespace parti::app
