@@ -35,6 +35,7 @@ def build(kernel, programs, files, target):
     tree = FileTree()
     tree.add_file(HERE / "guest" / "init", "/init")
     tree.add_file("/usr/bin/busybox")
+    tree.add_link("/bin/sh", "busybox")
     _add_modules(tree, kernel)
     _add_udev(tree)
     _add_graphics(tree)
@@ -44,7 +45,7 @@ def build(kernel, programs, files, target):
         tree.add_program(program, path)
     for path, text in files.items():
         tree.add_text(path, text)
-    _add_linker_cache(tree)
+    _add_users(tree)
     tree.write(target)
 
 
@@ -97,7 +98,6 @@ def _add_xorg(tree):
     tree.add_folder("/var/log")
 
 
-def _add_linker_cache(tree):
-    """Where the dynamic linker looks; it falls back to these folders where there is no cache."""
+def _add_users(tree):
     tree.add_text("/etc/passwd", "root:x:0:0:root:/data:/bin/sh\n")
     tree.add_text("/etc/group", "root:x:0:\ninput:x:101:\nvideo:x:44:\nrender:x:102:\ntty:x:5:\n")

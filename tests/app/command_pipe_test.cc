@@ -1,0 +1,75 @@
+#include "app/command_pipe.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace parti::app {
+namespace {
+
+using ::testing::SizeIs;
+
+class CommandPipeTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = ::testing::TempDir() + "parti-command-pipe";
+    std::filesystem::remove(path_);
+    ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  void Write(const std::string& text) const { std::ofstream(path_) << text; }
+
+  static bool Readable(const CommandPipe& pipe) {
+    pollfd waited{.fd = pipe.fd(), .events = POLLIN, .revents = 0};
+    return ::poll(&waited, 1, 0) == 1;
+  }
+
+  std::string path_;
+};
+
+TEST_F(CommandPipeTest, LinesBecomeCommandsInOrderWhateverTheyCameIn) {
+  auto pipe = CommandPipe::Open(path_);
+  ASSERT_TRUE(pipe);
+  EXPECT_THAT(pipe->Read(), SizeIs(0));
+  Write("pick 2 split\nun");
+  EXPECT_TRUE(Readable(*pipe));
+  auto commands = pipe->Read();
+  ASSERT_THAT(commands, SizeIs(1));
+  EXPECT_EQ(TextOf(*commands[0]), "pick 2 split");
+  Write("do\n\nredo\n");
+  commands = pipe->Read();
+  ASSERT_THAT(commands, SizeIs(2));
+  EXPECT_EQ(TextOf(*commands[0]), "undo");
+  EXPECT_EQ(TextOf(*commands[1]), "redo");
+  EXPECT_FALSE(Readable(*pipe)) << "a writer's end must not wake anyone";
+}
+
+TEST_F(CommandPipeTest, WhatIsNoCommandFailsAndTheRestGoesOn) {
+  auto pipe = CommandPipe::Open(path_);
+  ASSERT_TRUE(pipe);
+  Write("undoo\nundo\n");
+  const auto commands = pipe->Read();
+  ASSERT_THAT(commands, SizeIs(2));
+  ASSERT_FALSE(commands[0]);
+  EXPECT_EQ(commands[0].error().code, ErrorCode::kUnknownName);
+  EXPECT_TRUE(commands[1]);
+}
+
+TEST_F(CommandPipeTest, OnlyFifosAreListenedTo) {
+  std::filesystem::remove(path_);
+  const auto missing = CommandPipe::Open(path_);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kFile);
+  Write("undo\n");
+  const auto file = CommandPipe::Open(path_);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().code, ErrorCode::kFile);
+}
+
+}  // namespace
+}  // namespace parti::app
