@@ -1,0 +1,46 @@
+#include "app/panels/hints.h"
+
+namespace parti::app::panels {
+namespace {
+
+bool HasNodes(const SessionState& state) {
+  for (const auto& tree : state.model.trees()) {
+    if (!tree.nodes.empty()) return true;
+  }
+  return false;
+}
+
+std::string HintOfMode(PointerMode mode) {
+  switch (mode) {
+    case PointerMode::kErase:
+      return "Draw over strokes to erase them.";
+    case PointerMode::kSelect:
+      return "Tap the shapes that you mean.";
+    case PointerMode::kOrbit:
+      return "Drag to look from another side.";
+    case PointerMode::kPan:
+      return "Drag to move the view.";
+    case PointerMode::kZoom:
+      return "Drag up to come nearer, down to go farther.";
+    case PointerMode::kDraw:
+      return "";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string HintOf(const PanelView& view) {
+  const bool nothing = !view.session || view.session->state->model.lots().empty();
+  if (nothing) return "Draw a closed outline on the ground: it becomes the lot.";
+  if (view.mode != PointerMode::kDraw) return HintOfMode(view.mode);
+  const SessionState& state = *view.session->state;
+  if (!state.sketch.suggestions.empty()) return "Tap what you meant, or draw on.";
+  if (!state.sketch.strokes.empty()) {
+    return "Nothing to suggest for these lines: draw one more, or erase them.";
+  }
+  if (!HasNodes(state)) return "Draw a line up from the lot: it becomes a building.";
+  return "Draw lines on a face to divide it; tap a rule to change its numbers.";
+}
+
+}  // namespace parti::app::panels

@@ -1,0 +1,97 @@
+#include "app/panels/layout.h"
+
+#include <array>
+
+#include "app/panels/theme.h"
+
+namespace parti::app::panels {
+namespace {
+
+/// Mirrored about the middle of the window.
+Box Mirrored(const Box& box, float width) {
+  return {width - box.x1, box.y0, width - box.x0, box.y1};
+}
+
+float Units(double scale, float units) { return static_cast<float>(scale * units); }
+
+}  // namespace
+
+Layout LayoutOf(const LayoutNeeds& needs) {
+  const auto u = [&](float units) { return Units(needs.scale, units); };
+  const Box window{0, 0, static_cast<float>(needs.size_px.x), static_cast<float>(needs.size_px.y)};
+  const float target = u(kMeasures.target), gap = u(kMeasures.gap), pad = u(kMeasures.pad);
+  Layout layout;
+  layout.room = window.Inset(pad);
+  Box rest = layout.room;
+  layout.bottom = rest.CutBottom(needs.bottom_px, pad);
+  Box head = rest.CutTop(target + 2 * gap, pad);
+  const auto buttons = static_cast<float>(needs.menu_buttons);
+  layout.menu = head.CutRight(buttons * (target + gap) + gap, pad);
+  layout.title = head.CutLeft(std::min(head.width(), u(300)));
+
+  const float one = target + gap;
+  const auto rows_in_one = static_cast<int>((rest.height() - gap) / one);
+  layout.tool_columns =
+      std::max(1, (needs.tools + std::max(1, rows_in_one) - 1) / std::max(1, rows_in_one));
+  const int rows = (needs.tools + layout.tool_columns - 1) / layout.tool_columns;
+  const auto columns = static_cast<float>(layout.tool_columns);
+  Box side = rest.CutLeft(columns * one + gap, pad);
+  layout.tools = side.CutTop(static_cast<float>(rows) * one + gap);
+
+  Box column = rest;
+  layout.rules = column.CutRight(std::min(u(kMeasures.column), column.width()), pad);
+  layout.free = needs.rules_shown && column.width() > u(300) ? column : rest;
+  if (needs.left_handed) {
+    for (Box* box : {&layout.title, &layout.menu, &layout.tools, &layout.rules, &layout.free}) {
+      *box = Mirrored(*box, window.x1);
+    }
+  }
+  return layout;
+}
+
+Box SheetAt(const Box& button, float width, float height, const Box& room, float gap) {
+  const bool down = room.y1 - button.y1 >= button.y0 - room.y0;
+  const float most = down ? room.y1 - button.y1 - gap : button.y0 - gap - room.y0;
+  const float h = std::min(height, most), w = std::min(width, room.width());
+  const float y = down ? button.y1 + gap : button.y0 - gap - h;
+  const bool left = button.middle_x() < room.middle_x();
+  return Within(BoxAt(left ? button.x0 : button.x1 - w, y, w, h), room);
+}
+
+Box HandAt(const Vec2& pen_px, bool left_handed, double scale) {
+  const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
+  const float tip = Units(scale, 24), width = Units(scale, 300), height = Units(scale, 320);
+  return left_handed ? Box{x - width, y - tip, x + tip, y + height}
+                     : Box{x - tip, y - tip, x + width, y + height};
+}
+
+Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
+                const Box& room, bool left_handed, double scale) {
+  const float gap = Units(scale, 16);
+  const float x0 = stroke.x0 - gap - width, x1 = stroke.x1 + gap;
+  const float y0 = stroke.y0 - gap - height, y1 = stroke.y1 + gap;
+  const float near = left_handed ? x1 : x0, far = left_handed ? x0 : x1;
+  const float level = stroke.middle_y() - height / 2;
+  std::array<Box, 8> places = {
+      BoxAt(near, level, width, height),
+      BoxAt(stroke.middle_x() - width / 2, y0, width, height),
+      BoxAt(far, level, width, height),
+      BoxAt(stroke.middle_x() - width / 2, y1, width, height),
+      BoxAt(room.x0, room.y0, width, height),
+      BoxAt(room.x1 - width, room.y0, width, height),
+      BoxAt(room.x0, room.y1 - height, width, height),
+      BoxAt(room.x1 - width, room.y1 - height, width, height),
+  };
+  const std::optional<Box> hand =
+      pen_px ? std::optional(HandAt(*pen_px, left_handed, scale)) : std::nullopt;
+  for (Box& place : places) {
+    place = Within(place, room);
+    if (!place.Overlaps(stroke) && !(hand && place.Overlaps(*hand))) return place;
+  }
+  const Vec2 pen = pen_px.value_or(Vec2(stroke.middle_x(), stroke.middle_y()));
+  return *std::max_element(places.begin(), places.end(), [&](const Box& a, const Box& b) {
+    return a.DistanceTo(pen) < b.DistanceTo(pen);
+  });
+}
+
+}  // namespace parti::app::panels

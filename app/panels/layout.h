@@ -1,0 +1,50 @@
+// Where panels stand in a window of any shape, for either hand: pure functions.
+// What is in them is the panels'.
+#pragma once
+
+#include <optional>
+
+#include "app/panels/box.h"
+
+namespace parti::app::panels {
+
+/// The window shared out. Tools are on the side of the hand that does not draw.
+struct Layout {
+  Box room;   ///< all of the window but its margin
+  Box title;  ///< the document's name
+  Box menu;   ///< the buttons that open sheets
+  Box tools;  ///< as tall as its buttons need
+  int tool_columns = 1;
+  Box rules;   ///< tree and node; over the drawing where the window is narrow
+  Box bottom;  ///< what status.h may take: as high as it needs, from below
+  Box free;    ///< what is left between them, for cards beside the pen
+};
+
+/// What a layout depends on.
+struct LayoutNeeds {
+  Vec2 size_px{1600, 1000};
+  double scale = 1;  ///< used, not wanted (theme.h)
+  bool left_handed = false;
+  bool rules_shown = true;
+  int tools = 10;
+  int menu_buttons = 4;
+  float bottom_px = 44;  ///< height of the status line
+};
+
+/// Everything lies within the window; title, menu, tools and bottom never overlap at the sizes that
+/// UsedScale leaves.
+Layout LayoutOf(const LayoutNeeds& needs);
+
+/// A sheet of this size under a button, or over it where there is more room, within `room`.
+Box SheetAt(const Box& button, float width, float height, const Box& room, float gap);
+
+/// Cards beside a stroke: outside it and clear of the hand, which lies below the pen on the side of
+/// the drawing hand; above or below it where there's no room beside; at worst in the farthest
+/// corner. Within `room` where they fit at all.
+Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
+                const Box& room, bool left_handed, double scale);
+
+/// What a hand covers that holds a pen at a place.
+Box HandAt(const Vec2& pen_px, bool left_handed, double scale);
+
+}  // namespace parti::app::panels

@@ -1,0 +1,36 @@
+// What panels remember between frames and nobody else needs: what is open, what is being chosen.
+// What a person types is ui.h's; what is kept is the session's and the settings'.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/panels/box.h"
+#include "app/panels/layout.h"
+
+namespace parti::app::panels {
+
+/// A sheet that opens under a button; at most one does.
+enum class Sheet : uint8_t { kNone, kDocument, kOpen, kSaveAs, kViews, kExport, kSettings };
+
+/// Shared by the panels of one frame.
+struct Memory {
+  Layout layout;
+  Sheet open = Sheet::kNone;
+  Box opened_at;            ///< the button that opened it
+  bool rules_shown = true;  ///< wanted; narrow windows show it only when asked
+  uint64_t dismissed = 0;   ///< FailedRequest::number that was read
+  std::string file_name;    ///< being given, without its folder
+  std::string export_ending = "glb";
+  std::string view_name;
+  std::vector<int> dragged_node;  ///< path of the row that is being moved; empty: none
+
+  /// Opens a sheet, or closes it when it is the one that is open.
+  void Toggle(Sheet sheet, const Box& button) {
+    open = open == sheet ? Sheet::kNone : sheet;
+    opened_at = button;
+  }
+};
+
+}  // namespace parti::app::panels

@@ -1,0 +1,67 @@
+// What a frame of panels comes to: commands for the session, requests to the application, and
+// triangles for the canvas.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/panels/panel_view.h"
+#include "render/image.h"
+#include "render/ui_mesh.h"
+
+namespace parti::app {
+
+/// Asks for PanelFiles of another folder.
+struct ListFolder {
+  std::string path;
+  bool operator==(const ListFolder&) const = default;
+};
+
+/// A look at the model that needs no name: "fit" and the standard views.
+enum class ViewRequest : uint8_t { kFit, kSouth, kEast, kNorth, kWest, kAbove, kNearer, kFarther };
+
+/// For the session thread: Command, DocumentRequest; for the application: the others.
+using PanelCommand =
+    std::variant<Command, DocumentRequest, ListFolder, ViewRequest, PointerMode, Settings>;
+
+/// A thing that can be tapped, as tests and helpers for the blind know it.
+struct PanelTarget {
+  std::string name;  ///< "Tools/Undo": its panel and what it says
+  Vec2 low_px, high_px;
+  bool enabled = true;
+  bool visible = true;  ///< its middle is neither scrolled away nor hidden
+};
+
+/// A line of text as it was drawn.
+struct PanelText {
+  std::string text;
+  Vec2 low_px, high_px;            ///< what the letters cover
+  Vec2 room_low_px, room_high_px;  ///< what they may cover
+  uint32_t color = 0, ground = 0;  ///< as UiVertex::rgba
+};
+
+/// One frame.
+struct PanelOutput {
+  std::vector<PanelCommand> commands;  ///< in the order they were asked for
+  /// A number that is being dragged: the application may show what it would come to. Not a command:
+  /// the one that counts is sent when it is let go, so that undo has one step.
+  std::optional<SetNumber> trial;
+  std::optional<size_t> preview;  ///< index of the suggestion to show as wire frame
+  bool takes_pointer = false;     ///< the pointer is the panels'; draw no ink, orbit nothing
+  bool takes_keys = false;        ///< a text field is active
+
+  render::UiMesh mesh;  ///< its texture 0 is `letters`
+  bool changed = true;  ///< the mesh differs from the one before
+  /// White, with letters and lines as alpha. Another picture after the scale changed: compare
+  /// pointers.
+  std::shared_ptr<const render::Image> letters;
+
+  std::vector<PanelTarget> targets;  ///< in the order in which Tab goes through them
+  std::string focus;                 ///< the target's name that Enter presses; "" none
+  std::vector<PanelText> texts;
+};
+
+}  // namespace parti::app

@@ -1,0 +1,127 @@
+#include "app/panels/status.h"
+
+#include <fmt/format.h>
+
+#include "app/panels/hints.h"
+
+namespace parti::app::panels {
+namespace {
+
+/// What is to be read with a warning before it, and the button that helps.
+struct Warning {
+  std::string words;
+  const char* button;  ///< "" for none: it can only be closed
+  bool is_error;       ///< of the last request, not of the document
+};
+
+/// "can't write House.parti: no space left. Free some, or save elsewhere." of an Error.
+std::string Sentence(const Error& error) {
+  const auto capital = [](std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';
+    return text;
+  };
+  std::string words = capital(error.message) + ".";
+  if (!error.hint.empty()) words += " " + capital(error.hint) + ".";
+  return words;
+}
+
+std::vector<Warning> WarningsOf(const PanelView& view, const Memory& memory) {
+  std::vector<Warning> warnings;
+  if (!view.session) return warnings;
+  const DocumentStatus& document = view.session->document;
+  if (document.trouble) warnings.push_back({Sentence(*document.trouble), "Save elsewhere", false});
+  const auto& failed = view.session->last_error;
+  if (failed && failed->number > memory.dismissed) {
+    warnings.push_back({Sentence(failed->error), "", true});
+  }
+  return warnings;
+}
+
+/// How the document is doing, in words.
+struct Doing {
+  Icon icon;
+  Tone tone;
+  std::string words;
+};
+
+Doing DoingOf(const PanelView& view) {
+  if (!view.session) return {Icon::kCheck, Tone::kQuiet, "Ready"};
+  const SessionSnapshot& session = *view.session;
+  const DocumentStatus& document = session.document;
+  if (document.read_only) return {Icon::kLock, Tone::kWarning, "Read-only"};
+  if (document.trouble) return {Icon::kWarning, Tone::kWarning, "Not saved"};
+  if (!session.doing.empty()) return {Icon::kBusy, Tone::kQuiet, session.doing};
+  if (session.busy) return {Icon::kBusy, Tone::kQuiet, "Working"};
+  if (session.acknowledged < session.executed) return {Icon::kBusy, Tone::kQuiet, "Saving"};
+  if (document.path.empty()) return {Icon::kCheck, Tone::kQuiet, "Nothing to save yet"};
+  return {Icon::kCheck, Tone::kQuiet, document.named ? "Saved" : "Saved as a draft"};
+}
+
+/// Room for the words of a warning.
+float WordsWidth(Ui* ui, const Warning& warning, float width) {
+  const float button = *warning.button ? ui->TextWidth(warning.button, Letter::kBody) + ui->U(24)
+                                       : ui->U(kMeasures.target);
+  return width - ui->U(44 + 16) - button;
+}
+
+float HeightOf(Ui* ui, const Warning& warning, float width) {
+  const float words =
+      ui->Paragraph(warning.words, {0, 0, WordsWidth(ui, warning, width), 0}, {}, false);
+  return std::max(ui->U(kMeasures.target + 8), words + ui->U(16));
+}
+
+float SheetWidth(Ui* ui, float room) { return std::min(room, ui->U(760)); }
+
+void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
+  ui->Hairline(row);
+  ui->Picture(Icon::kWarning, row.CutLeft(ui->U(44)), Tone::kWarning, Ground::kPanel);
+  const float words_width = WordsWidth(ui, warning, row.width() + ui->U(44));
+  Box words = row.CutLeft(words_width, ui->U(8));
+  const float height = ui->Paragraph(warning.words, words, {}, false);
+  words.y0 += (words.height() - height) / 2;
+  ui->Paragraph(warning.words, words, {});
+  row.x1 -= ui->U(4);
+  if (!warning.is_error) {
+    const Box box = row.Inset(0, (row.height() - ui->U(kMeasures.target)) / 2);
+    const ButtonLook look{
+        .name = warning.button, .label = warning.button, .ground = Ground::kAccent};
+    if (ui->Button(look, box).pressed) memory->Toggle(Sheet::kSaveAs, memory->layout.title);
+    return;
+  }
+  const Box box = row.CutRight(ui->U(kMeasures.target));
+  if (ui->Button({.name = "Close the message", .icon = Icon::kClose},
+                 box.Inset(0, (box.height() - ui->U(kMeasures.target)) / 2))
+          .pressed) {
+    memory->dismissed = ui->view().session->last_error->number;
+  }
+}
+
+}  // namespace
+
+float StatusHeight(Ui* ui, const Memory& memory, float width) {
+  const float sheet = SheetWidth(ui, width);
+  float height = ui->U(kMeasures.target);
+  for (const Warning& warning : WarningsOf(ui->view(), memory)) {
+    height += HeightOf(ui, warning, sheet);
+  }
+  return height;
+}
+
+void DrawStatus(Ui* ui, Memory* memory) {
+  const Box room = memory->layout.bottom;
+  const float width = SheetWidth(ui, room.width());
+  Box rest = BoxAt(room.middle_x() - width / 2, room.y0, width, room.height());
+  if (!ui->BeginSheet("Status", rest)) return;
+  for (const Warning& warning : WarningsOf(ui->view(), *memory)) {
+    DrawWarning(ui, memory, warning, rest.CutTop(HeightOf(ui, warning, width)));
+  }
+  const Doing doing = DoingOf(ui->view());
+  Box right = rest.CutRight(ui->TextWidth(doing.words, Letter::kSmall) + ui->U(40 + 14));
+  ui->Picture(doing.icon, right.CutLeft(ui->U(36)), doing.tone, Ground::kPanel);
+  ui->Text(doing.words, right, {Letter::kSmall, doing.tone, Ground::kPanel});
+  ui->Picture(Icon::kHint, rest.CutLeft(ui->U(44)), Tone::kAccent, Ground::kPanel);
+  ui->Text(HintOf(ui->view()), rest, {Letter::kBody, Tone::kText, Ground::kPanel});
+  ui->EndSheet();
+}
+
+}  // namespace parti::app::panels

@@ -1,0 +1,162 @@
+#include "app/panels/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace parti::app::panels {
+namespace {
+
+using grammar::Action;
+using grammar::Selector;
+using grammar::Size;
+using grammar::Successor;
+
+std::string Metres(double value) { return PlainNumber(value) + " m"; }
+
+double NumberOf(const Action& action, size_t argument) {
+  if (argument >= action.arguments.size()) return 0;
+  const auto* number = std::get_if<double>(&action.arguments[argument]);
+  return number ? *number : 0;
+}
+
+std::string Along(const Action& action) {
+  for (const grammar::Argument& argument : action.arguments) {
+    const auto* axis = std::get_if<grammar::Axis>(&argument);
+    if (!axis) continue;
+    return *axis == grammar::Axis::kX   ? "across"
+           : *axis == grammar::Axis::kY ? "upward"
+                                        : "in depth";
+  }
+  return "";
+}
+
+std::string WordsOf(const Size& size) {
+  if (size.kind == Size::Kind::kAbsolute) return Metres(size.value);
+  if (size.kind == Size::Kind::kRelative) return PlainNumber(size.value * 100) + " %";
+  return size.value == 1 ? "rest" : "about " + Metres(size.value);
+}
+
+std::string WordsOf(const Successor& successor) {
+  if (!successor.repeat.empty()) {
+    std::string inside;
+    for (const Successor& s : successor.repeat) inside += (inside.empty() ? "" : ", ") + WordsOf(s);
+    return "repeated (" + inside + ")";
+  }
+  if (const auto* size = std::get_if<Size>(&successor.key)) return WordsOf(*size);
+  if (const auto* selector = std::get_if<Selector>(&successor.key)) {
+    return selector->kind == Selector::Kind::kIndex ? fmt::format("face {}", selector->index)
+                                                    : std::string(NameOf(selector->kind));
+  }
+  return successor.symbol;
+}
+
+std::string Parts(const Action& action) {
+  std::string parts;
+  for (const Successor& s : action.successors) parts += (parts.empty() ? "" : ", ") + WordsOf(s);
+  return parts;
+}
+
+std::string Extruded(const Action& action) {
+  const double d = NumberOf(action, 0);
+  return d < 0 ? fmt::format("Push in {}", Metres(-d)) : fmt::format("Extrude {}", Metres(d));
+}
+
+std::string Offset(const Action& action) {
+  const double d = NumberOf(action, 0);
+  return fmt::format("Offset {} {}", Metres(std::abs(d)), d < 0 ? "inward" : "outward");
+}
+
+std::string Repeated(const Action& action) {
+  if (action.successors.size() == 1) {
+    if (const auto* size = std::get_if<Size>(&action.successors[0].key)) {
+      return fmt::format("Repeat {} every {}", Along(action), Metres(size->value));
+    }
+  }
+  return fmt::format("Repeat {}: {}", Along(action), Parts(action));
+}
+
+/// Of operations without words of their own: their name, with a capital, and their numbers.
+std::string Named(const Action& action) {
+  std::string words(action.operation->name);
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] -= 'a' - 'A';
+  for (size_t i = 0; i < action.arguments.size() && i < action.operation->parameters.size(); ++i) {
+    if (const auto* text = std::get_if<std::string>(&action.arguments[i])) words += " " + *text;
+    if (!std::holds_alternative<double>(action.arguments[i])) continue;
+    const std::string unit = UnitOf(action.operation->parameters[i].kind);
+    words += " " + PlainNumber(NumberOf(action, i)) + (unit.empty() ? "" : " " + unit);
+  }
+  return words;
+}
+
+struct Row {
+  std::string_view name;
+  Icon icon;
+  std::string (*words)(const Action&);
+};
+
+constexpr Row kRows[] = {
+    {"extrude", Icon::kExtrude, Extruded},
+    {"split", Icon::kSplit,
+     [](const Action& a) { return fmt::format("Split {}: {}", Along(a), Parts(a)); }},
+    {"repeat", Icon::kRepeat, Repeated},
+    {"comp", Icon::kComp, [](const Action& a) { return "Take faces: " + Parts(a); }},
+    {"offset", Icon::kOffset, Offset},
+    {"color", Icon::kColor, Named},
+    {"tag", Icon::kTag, Named},
+};
+
+const Row* RowOf(const Action& action) {
+  const auto* row = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) {
+    return action.operation && r.name == action.operation->name;
+  });
+  return row == std::end(kRows) ? nullptr : row;
+}
+
+void AddSymbols(const std::vector<Successor>& successors, std::vector<std::string>* symbols) {
+  for (const Successor& s : successors) {
+    AddSymbols(s.repeat, symbols);
+    const bool known = std::find(symbols->begin(), symbols->end(), s.symbol) != symbols->end();
+    if (!s.symbol.empty() && s.symbol != grammar::kNil && !known) symbols->push_back(s.symbol);
+  }
+}
+
+}  // namespace
+
+std::string PlainNumber(double value) {
+  if (!std::isfinite(value)) return "?";
+  std::string text = fmt::format("{:.3f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  if (text == "-0") return "0";
+  return text;
+}
+
+std::string UnitOf(grammar::ParameterKind kind) {
+  if (kind == grammar::ParameterKind::kLength) return "m";
+  return kind == grammar::ParameterKind::kAngle ? "°" : "";
+}
+
+std::string WordsOf(const Action& action) {
+  if (!action.operation) return "";
+  const Row* row = RowOf(action);
+  return row ? row->words(action) : Named(action);
+}
+
+std::string SymbolsOf(const Action& action) {
+  std::vector<std::string> symbols;
+  AddSymbols(action.successors, &symbols);
+  if (!action.symbol.empty()) symbols.push_back(action.symbol);
+  std::string text;
+  for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
+  return text;
+}
+
+Icon IconOf(const Action& action) {
+  const Row* row = RowOf(action);
+  return row ? row->icon : Icon::kOperation;
+}
+
+}  // namespace parti::app::panels

@@ -1,0 +1,30 @@
+// Operations and numbers in plain words: what is written on cards and rows.
+// Pure functions of the table's values; the language of rules is grammar's.
+#pragma once
+
+#include <string>
+
+#include "app/panels/icons.h"
+#include "grammar/action.h"
+#include "grammar/operation.h"
+
+namespace parti::app::panels {
+
+/// As people write it: "3", "2.5", "0.05"; at most three places, no trailing zeros, "-" before
+/// negative ones; reads back as a number.
+std::string PlainNumber(double value);
+
+/// "m", "°", or "" for factors.
+std::string UnitOf(grammar::ParameterKind kind);
+
+/// "Extrude 19 m", "Split upward: 4 m, rest, 1 m", "Repeat across every 2.5 m". Operations without
+/// words of their own give their name and numbers.
+std::string WordsOf(const grammar::Action& action);
+
+/// What it gives: "Ground, CenterFloors, TopFloor"; "" when nothing has a name.
+std::string SymbolsOf(const grammar::Action& action);
+
+/// The operation's icon; Icon::kOperation for those without one.
+Icon IconOf(const grammar::Action& action);
+
+}  // namespace parti::app::panels

@@ -1,0 +1,134 @@
+#include "tests/app/panels_driver.h"
+
+#include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "app/replay.h"
+#include "app/session.h"
+#include "base/text_file.h"
+#include "input/drawing.h"
+#include "tests/support/data.h"
+
+namespace parti::app::tests {
+
+PanelDriver::PanelDriver() {
+  auto panels = Panels::Create();
+  EXPECT_TRUE(panels) << FormatError(panels.error());
+  panels_ = std::move(*panels);
+}
+
+const PanelOutput& PanelDriver::Frame(std::vector<PanelEvent> events) {
+  now_s_ += 0.1;
+  last_ = &panels_->Frame(view, {now_s_, std::move(events)});
+  return *last_;
+}
+
+bool PanelDriver::Shows(const std::string& name) {
+  const auto& targets = Frame().targets;
+  return std::any_of(targets.begin(), targets.end(),
+                     [&](const PanelTarget& t) { return t.name.ends_with(name); });
+}
+
+PanelTarget PanelDriver::Find(const std::string& name) {
+  std::string all;
+  for (const PanelTarget& target : Frame().targets) {
+    if (target.name.ends_with(name)) return target;
+    all += target.name + ", ";
+  }
+  ADD_FAILURE() << "no " << name << " among " << all;
+  return {};
+}
+
+Vec2 MiddleOf(const PanelTarget& target) { return (target.low_px + target.high_px) / 2.0; }
+
+std::vector<PanelCommand> PanelDriver::Done() { return last_->commands; }
+
+std::vector<PanelCommand> PanelDriver::Tap(const std::string& name) {
+  const Vec2 at = MiddleOf(Find(name));
+  Frame({PanelPointer{at, true}, PanelPointer{at, false}, PanelPointerGone{}});
+  return Done();
+}
+
+const PanelOutput& PanelDriver::Hover(const std::string& name) {
+  return Frame({PanelPointer{MiddleOf(Find(name)), false}});
+}
+
+std::vector<PanelCommand> PanelDriver::Drag(const std::string& name, const Vec2& way_px) {
+  const Vec2 from = MiddleOf(Find(name));
+  Frame({PanelPointer{from, true}});
+  for (int i = 1; i <= 8; ++i) Frame({PanelPointer{from + way_px * (i / 8.0), true}});
+  Frame({PanelPointer{from + way_px, false}});
+  return Done();
+}
+
+std::vector<PanelCommand> PanelDriver::Key(uint32_t code, const std::string& text) {
+  Frame({KeyEvent{.code = code, .pressed = true, .text = text},
+         KeyEvent{.code = code, .pressed = false}});
+  return Done();
+}
+
+std::vector<PanelCommand> PanelDriver::Type(const std::string& text) {
+  std::vector<PanelEvent> events;
+  for (const char c : text) {
+    events.push_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = true, .text = std::string(1, c)});
+    events.push_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = false});
+  }
+  Frame(std::move(events));
+  return Done();
+}
+
+std::vector<PanelCommand> PanelDriver::PressByKeys(const std::string& name) {
+  const std::string full = Find(name).name;
+  for (size_t i = 0; i < last_->targets.size() + 2; ++i) {
+    Key(KEY_TAB);
+    if (last_->focus == full) return Key(KEY_ENTER);
+  }
+  ADD_FAILURE() << "Tab does not reach " << name;
+  return {};
+}
+
+namespace {
+
+std::shared_ptr<const SessionSnapshot> SnapshotOf(const SessionState& state, bool undo) {
+  auto snapshot = std::make_shared<SessionSnapshot>();
+  snapshot->state = std::make_shared<const SessionState>(state);
+  snapshot->document = {.path = "House.parti", .named = true};
+  snapshot->can_undo = undo;
+  return snapshot;
+}
+
+constexpr const char* kStop = "as far as asked for";
+
+/// Plays the house until `stop` says so, before a command.
+std::shared_ptr<const SessionSnapshot> Played(
+    const std::function<bool(const Session&, const Command&)>& stop) {
+  const auto text = ReadFile(parti::tests::SourceFile("assets/drawings/house.pen"));
+  EXPECT_TRUE(text);
+  Session session;
+  ReplayReport report;
+  report.before_command = [&](const Command& command) -> Result<void> {
+    if (stop(session, command)) return Fail(ErrorCode::kNothingMade, kStop);
+    return {};
+  };
+  const auto played = Replay(input::ReadDrawing(*text).drawing, &session, &report);
+  EXPECT_TRUE(played || played.error().message.ends_with(kStop));
+  return SnapshotOf(session.state(), true);
+}
+
+}  // namespace
+
+std::shared_ptr<const SessionSnapshot> HouseBeforePick(int pick) {
+  int picks = 0;
+  return Played([&, pick](const Session&, const Command& command) {
+    return std::holds_alternative<Pick>(command) && ++picks == pick;
+  });
+}
+
+std::shared_ptr<const SessionSnapshot> WholeHouse() {
+  return Played([](const Session&, const Command&) { return false; });
+}
+
+}  // namespace parti::app::tests

@@ -1,0 +1,55 @@
+// Drives panels as a hand would: finds a button by what it says and taps it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/panels/panels.h"
+
+namespace parti::app::tests {
+
+/// Panels with a view to look at; each call is one or more frames.
+class PanelDriver {
+ public:
+  PanelDriver();
+
+  PanelView view;
+
+  /// One frame with these events.
+  const PanelOutput& Frame(std::vector<PanelEvent> events = {});
+  /// The target whose name ends with this, e.g. "Tools/Undo" or "Undo"; fails the test, and gives
+  /// an empty one, where there is none.
+  PanelTarget Find(const std::string& name);
+  bool Shows(const std::string& name);
+  /// A tap in its middle: what a pen does, coming from nowhere. Returns what came of it.
+  std::vector<PanelCommand> Tap(const std::string& name);
+  /// The pointer above its middle.
+  const PanelOutput& Hover(const std::string& name);
+  /// Press, motion in steps, release.
+  std::vector<PanelCommand> Drag(const std::string& name, const Vec2& way_px);
+  /// Press and release.
+  std::vector<PanelCommand> Key(uint32_t code, const std::string& text = "");
+  std::vector<PanelCommand> Type(const std::string& text);
+  /// Tab until the name has the focus, then Enter.
+  std::vector<PanelCommand> PressByKeys(const std::string& name);
+
+  const PanelOutput& last() const { return *last_; }
+
+ private:
+  std::vector<PanelCommand> Done();
+
+  std::unique_ptr<Panels> panels_;
+  const PanelOutput* last_ = nullptr;
+  double now_s_ = 0;
+};
+
+Vec2 MiddleOf(const PanelTarget& target);
+
+/// The session of the shipped house before its n-th pick (from 1): its suggestions are on the
+/// table.
+std::shared_ptr<const SessionSnapshot> HouseBeforePick(int pick);
+/// The house with all its rules.
+std::shared_ptr<const SessionSnapshot> WholeHouse();
+
+}  // namespace parti::app::tests
