@@ -81,9 +81,8 @@ Result<std::shared_ptr<Connection>> Connect(const EglPlatform& platform) {
   }
   connection->initialised = true;
   const std::string_view extensions = eglQueryString(connection->display, EGL_EXTENSIONS);
-  if (!Has(extensions, "EGL_KHR_surfaceless_context") ||
-      !Has(extensions, "EGL_KHR_gl_colorspace")) {
-    return EglFailure("lacks EGL_KHR_surfaceless_context or EGL_KHR_gl_colorspace");
+  if (!Has(extensions, "EGL_KHR_surfaceless_context")) {
+    return EglFailure("lacks EGL_KHR_surfaceless_context");
   }
   connection->has_buffer_age = Has(extensions, "EGL_EXT_buffer_age");
   for (const char* suffix : {"EXT", "KHR"}) {
@@ -156,9 +155,8 @@ Result<void> Context::SetWindow(void* native) {
     surface_ = EGL_NO_SURFACE;
   }
   if (native) {
-    const std::array<EGLAttrib, 3> srgb = {EGL_GL_COLORSPACE, EGL_GL_COLORSPACE_SRGB, EGL_NONE};
-    surface_ = eglCreatePlatformWindowSurface(connection_->display, connection_->config, native,
-                                              srgb.data());
+    surface_ =
+        eglCreatePlatformWindowSurface(connection_->display, connection_->config, native, nullptr);
     if (surface_ == EGL_NO_SURFACE) {
       return EglFailure("can't draw into the window of " + connection_->platform.what);
     }

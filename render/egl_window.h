@@ -22,7 +22,7 @@ struct EglPlatform {
   std::string what;              ///< for messages: "X11", "the screen"
 };
 
-/// GLES 3.0. The window's colours are sRGB (Display::Target), so what is drawn looks as off screen.
+/// GLES 3.0. Bytes go to the screen as they are, so what is drawn looks as off screen.
 /// The platform outlives the window and all contexts that share with it, whichever goes first.
 class EglWindow : public GlContext {
  public:

@@ -35,8 +35,8 @@ class Display {
  public:
   /// What to draw a frame into.
   struct Target {
-    /// GL_SRGB8_ALPHA8 or a window's like of it, without multisampling and depth: GLES encodes what
-    /// shaders write, GL does while GL_FRAMEBUFFER_SRGB is enabled. Rows from the bottom, as in GL.
+    /// GL_RGBA8 or a window's like of it, without multisampling and depth, rows from the bottom: as
+    /// render::Canvas wants it. Bytes are shown as sRGB; GL converts nothing.
     GLuint framebuffer = 0;
     /// What it holds already: the frame presented `age` frames ago (1: the last one), 0: nothing
     /// that can be relied on.

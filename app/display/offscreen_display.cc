@@ -116,7 +116,7 @@ Result<void> MemoryDisplay::MakeFramebuffer() {
   if (const auto made = context_->MakeCurrent(); !made) return Fail(made);
   framebuffer_.reset();
   Result<GlFramebuffer> made =
-      GlFramebuffer::Create(gl_, {size_px_.x, size_px_.y, GL_SRGB8_ALPHA8, 0, 0, false});
+      GlFramebuffer::Create(gl_, {size_px_.x, size_px_.y, GL_RGBA8, 0, 0, false});
   if (!made) return Fail(made);
   framebuffer_ = std::move(*made);
   fresh_ = true;

@@ -34,14 +34,13 @@ void DrawFrame(Display* display) {
   const render::Gl& gl = display->gl();
   const glm::ivec2 size = display->size_px();
   gl.BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-  if (!gl.is_gles) gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Viewport(0, 0, size.x, size.y);
   gl.Disable(GL_SCISSOR_TEST);
-  gl.ClearColor(0.9f, 0.5f, 0.1f, 1);
+  gl.ClearColor(0.95f, 0.7f, 0.3f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT);
   gl.Enable(GL_SCISSOR_TEST);
   gl.Scissor(10, size.y - 60, 20, 40);
-  gl.ClearColor(0.02f, 0.02f, 0.05f, 1);
+  gl.ClearColor(0.1f, 0.1f, 0.25f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT);
   gl.Disable(GL_SCISSOR_TEST);
   const std::array<render::PixelRect, 1> all = {{{0, 0, size.x, size.y}}};
