@@ -6,30 +6,11 @@
 #include <system_error>
 
 #include "app/auto_view.h"
+#include "app/meaning.h"
 #include "app/scene_from_model.h"
-#include "grammar/operation.h"
 
 namespace parti::app {
 namespace {
-
-Result<void> AddMeaning(const SessionState& state, render::Scene* scene) {
-  const Sketch& sketch = state.sketch;
-  if (sketch.suggestions.empty()) return {};
-  const grammar::Item& item = ShapeAt(state.model, *sketch.target).item;
-  const grammar::Action& action = sketch.suggestions.front().action;
-  // The lines as the first suggestion understands them, so that lines and wire frame agree.
-  std::vector<Segment3> lifted;
-  for (const auto& line : sketch::Settled(sketch.lines, item, action).lines) {
-    lifted.push_back(line.world);
-  }
-  AddLiftedLines(lifted, scene);
-  const auto products = grammar::Apply(action, item);
-  if (!products) return Fail(products);
-  std::vector<grammar::Item> items;
-  for (const grammar::Product& product : *products) items.push_back(product.item);
-  AddSuggestion(items, scene);
-  return {};
-}
 
 Result<render::Image> DrawnBy(render::OffscreenRenderer* renderer, const SessionState& state) {
   if (state.model.lots().empty()) {
@@ -54,7 +35,10 @@ render::Scene SceneOf(const SessionState& state) {
     first_id += derivation->tree.size();
   }
   // A suggestion that this item can't take after all is only left out of the picture.
-  static_cast<void>(AddMeaning(state, &scene));
+  if (const auto meaning = MeaningOf(state, 0)) {
+    AddLiftedLines(meaning->lines, &scene);
+    AddSuggestion(meaning->edges, &scene);
+  }
   for (const auto& drawn : state.sketch.strokes) {
     if (drawn->camera == state.camera) AddStroke(drawn->stroke, &scene);
   }

@@ -77,14 +77,21 @@ void AddModels(std::span<const grammar::ShapeTree* const> trees, Scene* scene, u
   }
 }
 
-void AddStroke(const Stroke& stroke, Scene* scene, double scale, const DrawingStyle& style) {
+float InkWidth_px(const std::optional<double>& pressure, const DrawingStyle& style) {
+  return style.ink_px * static_cast<float>(0.5 + std::clamp(pressure.value_or(0.5), 0.0, 1.0));
+}
+
+render::Ink InkOf(const Stroke& stroke, double scale, const DrawingStyle& style) {
   render::Ink ink{{}, {}, style.ink};
   for (const StrokeSample& sample : stroke) {
-    const double pressure = std::clamp(sample.pressure.value_or(0.5), 0.0, 1.0);
     ink.points.emplace_back(sample.position * scale);
-    ink.widths_px.push_back(static_cast<float>(style.ink_px * scale * (0.5 + pressure)));
+    ink.widths_px.push_back(InkWidth_px(sample.pressure, style) * static_cast<float>(scale));
   }
-  if (!ink.points.empty()) scene->ink.push_back(std::move(ink));
+  return ink;
+}
+
+void AddStroke(const Stroke& stroke, Scene* scene, double scale, const DrawingStyle& style) {
+  if (!stroke.empty()) scene->ink.push_back(InkOf(stroke, scale, style));
 }
 
 void AddLiftedLines(std::span<const Segment3> lines, Scene* scene, const DrawingStyle& style) {
@@ -95,17 +102,8 @@ void AddLiftedLines(std::span<const Segment3> lines, Scene* scene, const Drawing
 
 void AddSuggestion(std::span<const Segment3> edges, Scene* scene, const DrawingStyle& style) {
   render::Lines wires{{}, style.suggestion, style.suggestion_px, style.suggestion_dash_px, true};
-  AddSegments(WithoutOverlaps({edges.begin(), edges.end()}), &wires);
+  AddSegments({edges.begin(), edges.end()}, &wires);
   if (!wires.ends.empty()) scene->lines.push_back(std::move(wires));
-}
-
-void AddSuggestion(std::span<const Item> items, Scene* scene, const DrawingStyle& style) {
-  std::vector<Segment3> edges;
-  for (const Item& item : items) {
-    const std::vector<Segment3> own = grammar::EdgesOf(item);
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  AddSuggestion(std::span<const Segment3>(edges), scene, style);
 }
 
 }  // namespace parti::app

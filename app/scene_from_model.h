@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "app/auto_view.h"
@@ -31,6 +32,11 @@ struct DrawingStyle {
   render::Vec4f suggestion{0.86f, 0.33f, 0.10f, 1};
   float suggestion_px = 2.0f;
   float suggestion_dash_px = 7;
+
+  render::Vec4f selected{0.86f, 0.33f, 0.10f, 1};
+  float selected_px = 2.6f;
+  render::Vec4f hovered{0.10f, 0.38f, 0.80f, 0.55f};
+  float hovered_px = 2.0f;
 };
 
 /// Adds the leaves of a tree: faces with `first_id` + ShapeIndex as their ids, and each crease
@@ -43,8 +49,13 @@ void AddModel(const grammar::ShapeTree& tree, render::Scene* scene, uint32_t fir
 void AddModels(std::span<const grammar::ShapeTree* const> trees, render::Scene* scene,
                uint32_t first_id = 1, const DrawingStyle& style = {});
 
-/// Adds a stroke where it was drawn; `scale` is the picture's pixels per pixel of the stroke's
-/// view. Width follows pressure from half to one and a half of ink_px.
+/// Width follows pressure from half to one and a half of ink_px; a device without it is in between.
+float InkWidth_px(const std::optional<double>& pressure, const DrawingStyle& style = {});
+
+/// A stroke where it was drawn; `scale` is the picture's pixels per pixel of the stroke's view.
+render::Ink InkOf(const Stroke& stroke, double scale = 1, const DrawingStyle& style = {});
+
+/// Adds InkOf the stroke, if it has samples.
 void AddStroke(const Stroke& stroke, render::Scene* scene, double scale = 1,
                const DrawingStyle& style = {});
 
@@ -52,10 +63,8 @@ void AddStroke(const Stroke& stroke, render::Scene* scene, double scale = 1,
 void AddLiftedLines(std::span<const Segment3> lines, render::Scene* scene,
                     const DrawingStyle& style = {});
 
-/// Adds what an operation would make, as a dashed wire frame: its edges, or the items themselves.
+/// Adds what an operation would make, as a dashed wire frame of its edges.
 void AddSuggestion(std::span<const Segment3> edges, render::Scene* scene,
-                   const DrawingStyle& style = {});
-void AddSuggestion(std::span<const grammar::Item> items, render::Scene* scene,
                    const DrawingStyle& style = {});
 
 }  // namespace parti::app

@@ -8,6 +8,7 @@
 
 namespace parti::app {
 
+/// The two looks of panels.
 enum class Theme { kLight, kDark };
 
 /// Values, compared and copied freely.

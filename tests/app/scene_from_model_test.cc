@@ -83,7 +83,7 @@ TEST(AddStroke, LiesWhereItWasDrawnAndIsAsWideAsItsPressure) {
 TEST(AddSuggestion, IsAWireFrameOnTop) {
   Scene scene;
   const auto box = grammar::BoxFrom({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {4, 3, 2}});
-  AddSuggestion(std::span<const grammar::Item>(&*box, 1), &scene);
+  AddSuggestion(grammar::EdgesOf(*box), &scene);
   ASSERT_EQ(scene.lines.size(), 1u);
   EXPECT_EQ(scene.lines[0].ends.size(), 24u);
   EXPECT_TRUE(scene.lines[0].on_top);
@@ -112,7 +112,7 @@ TEST(ScenePicture, CourtyardWithSuggestionAndStroke) {
   const Camera camera = AutoView(render::BoundsOf(scene, true), 800, 500);
   const auto storey =
       grammar::BoxFrom({{17.1, 4.1, 4.4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3.3, 3, 3.1}});
-  AddSuggestion(std::span<const grammar::Item>(&*storey, 1), &scene);
+  AddSuggestion(grammar::EdgesOf(*storey), &scene);
   const Segment3 lifted{{17.1, 4.1, 7.5}, {17.1, 7.1, 7.5}};
   AddLiftedLines({{lifted}}, &scene);
   const View view(camera);

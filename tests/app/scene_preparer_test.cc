@@ -19,8 +19,8 @@ std::shared_ptr<const SessionState> StateOn(const std::string& lot) {
 /// The scene of this state, once it is made.
 PreparedScene Await(const ScenePreparer& preparer,
                     const std::shared_ptr<const SessionState>& state) {
-  for (PreparedScene newest = preparer.newest();; newest = preparer.newest()) {
-    if (newest.state == state) return newest;
+  for (auto newest = preparer.newest();; newest = preparer.newest()) {
+    if (newest && newest->state == state) return *newest;
     pollfd readable{preparer.ready().fd(), POLLIN, 0};
     EXPECT_EQ(poll(&readable, 1, 10'000), 1) << "no scene within 10 s";
     preparer.ready().Clear();
@@ -29,9 +29,9 @@ PreparedScene Await(const ScenePreparer& preparer,
 
 TEST(ScenePreparerTest, AModelBecomesAScene) {
   ScenePreparer preparer;
-  EXPECT_EQ(preparer.newest().scene, nullptr);
+  EXPECT_FALSE(preparer.newest());
   const auto state = StateOn("rect(20,14)");
-  preparer.Request(state);
+  preparer.Ask(state);
   const PreparedScene made = Await(preparer, state);
   ASSERT_EQ(made.scene->faces.size(), 1u);
   EXPECT_EQ(made.scene->faces[0].id, 1u);
@@ -40,13 +40,13 @@ TEST(ScenePreparerTest, AModelBecomesAScene) {
 TEST(ScenePreparerTest, TheSameModelKeepsItsScene) {
   ScenePreparer preparer;
   const auto state = StateOn("rect(20,14)");
-  preparer.Request(state);
+  preparer.Ask(state);
   const auto scene = Await(preparer, state).scene;
   const auto looked_elsewhere = std::make_shared<SessionState>(*state);
-  preparer.Request(looked_elsewhere);
+  preparer.Ask(looked_elsewhere);
   EXPECT_EQ(Await(preparer, looked_elsewhere).scene, scene);
   const auto other = StateOn("rect(9,9)");
-  preparer.Request(other);
+  preparer.Ask(other);
   EXPECT_NE(Await(preparer, other).scene, scene);
 }
 
@@ -55,7 +55,7 @@ TEST(ScenePreparerTest, TheNewestOfManyWins) {
   std::shared_ptr<const SessionState> last;
   for (int i = 1; i <= 50; ++i) {
     last = StateOn("rect(20," + std::to_string(i) + ")");
-    preparer.Request(last);
+    preparer.Ask(last);
   }
   Await(preparer, last);
   EXPECT_FALSE(preparer.busy());

@@ -1,0 +1,54 @@
+#include "app/folder_list.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <tuple>
+
+namespace parti::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsOurs(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".parti" || ending == ".cga" || ending == ".pen";
+}
+
+std::string Folded(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+fs::path Absolute(const std::string& path) {
+  const char* home = std::getenv("HOME");
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(path.empty() && home ? home : path, failed);
+  return failed ? fs::path("/") : absolute.lexically_normal();
+}
+
+}  // namespace
+
+PanelFiles ListOf(const std::string& path) {
+  PanelFiles files;
+  const fs::path folder = Absolute(path);
+  files.folder = folder.string();
+  std::error_code failed;
+  for (fs::directory_iterator i(folder, failed), end; !failed && i != end; i.increment(failed)) {
+    const std::string name = i->path().filename().string();
+    std::error_code unknown;
+    const bool is_folder = i->is_directory(unknown);
+    if (name.front() == '.' || (!is_folder && !IsOurs(i->path()))) continue;
+    files.here.push_back({name, is_folder});
+    if (files.here.size() == kMostFiles) break;
+  }
+  std::sort(files.here.begin(), files.here.end(), [](const PanelFile& a, const PanelFile& b) {
+    return std::tuple(!a.is_folder, Folded(a.name), a.name) <
+           std::tuple(!b.is_folder, Folded(b.name), b.name);
+  });
+  return files;
+}
+
+}  // namespace parti::app

@@ -1,0 +1,238 @@
+#include "app/hands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parti::app {
+namespace {
+
+using input::DragPhase;
+using input::PenAct;
+
+bool IsFinite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+template <typename T>
+void Erase(std::vector<T>* from, const T& value) {
+  from->erase(std::remove(from->begin(), from->end(), value), from->end());
+}
+
+}  // namespace
+
+void Hands::SetView(const Camera& camera, const MappingOptions& options) {
+  camera_ = camera;
+  options_ = options;
+  for (auto& [number, device] : devices_) {
+    device.mapping = TabletMapping(device.facts, camera, options);
+  }
+}
+
+bool Hands::pen_present() const {
+  return std::any_of(devices_.begin(), devices_.end(),
+                     [](const auto& d) { return d.second.facts.has_pen; });
+}
+
+bool Hands::has_keys() const {
+  return std::any_of(devices_.begin(), devices_.end(),
+                     [](const auto& d) { return d.second.facts.has_keys; });
+}
+
+std::vector<Act> Hands::Feed(const InputEvent& event, const OverPanel& over_panel) {
+  std::vector<Act> acts;
+  const input::Passage passage = palms_.Feed(event);
+  for (const TouchEvent& cancelled : passage.cancelled) FeedTouch(cancelled, over_panel, &acts);
+  if (!passage.passes) return acts;
+  if (const auto* device = std::get_if<DeviceEvent>(&event)) Meet(*device, &acts);
+  for (const input::PenDrag& drag : bindings_.Feed(event)) FeedDrag(drag, over_panel, &acts);
+  if (const auto* device = std::get_if<DeviceEvent>(&event)) {
+    if (device->kind == DeviceEvent::Kind::kRemoved) Forget(device->device);
+  } else if (const auto* pen = std::get_if<PenEvent>(&event)) {
+    FeedPen(*pen, over_panel, &acts);
+  } else if (const auto* touch = std::get_if<TouchEvent>(&event)) {
+    FeedTouch(*touch, over_panel, &acts);
+  } else if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
+    const Vec2 px = PixelOf(scroll->device, scroll->position_mm);
+    if (over_panel(px)) {
+      acts.push_back(PanelAct{PanelScroll{scroll->steps}});
+    } else {
+      acts.push_back(WheelAct{bindings_.WheelDoes(), px, scroll->steps});
+    }
+  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    acts.push_back(PanelAct{*key});
+  }
+  return acts;
+}
+
+std::vector<Act> Hands::CancelAll() {
+  std::vector<Act> acts;
+  while (!drags_.empty()) {
+    DragAct cancelled = drags_.begin()->second;
+    cancelled.phase = DragPhase::kCancel;
+    Drag(cancelled, &acts);
+  }
+  if (on_panel_) {
+    dropped_.push_back(*on_panel_);
+    on_panel_.reset();
+    acts.push_back(PanelAct{PanelPointerGone{}});
+  }
+  EndHover(&acts);
+  return acts;
+}
+
+Hands::Device& Hands::DeviceOf(int number) {
+  const auto found = devices_.find(number);
+  if (found != devices_.end()) return found->second;
+  return devices_.emplace(number, Device{{}, TabletMapping({}, camera_, options_)}).first->second;
+}
+
+Vec2 Hands::PixelOf(int device, const Vec2& position_mm) {
+  Device& d = DeviceOf(device);
+  const Vec2 px = d.mapping.ToView_px(position_mm);
+  if (IsFinite(px)) d.last_px = px;
+  return d.last_px;
+}
+
+void Hands::Meet(const DeviceEvent& event, std::vector<Act>* acts) {
+  if (event.kind == DeviceEvent::Kind::kAdded) {
+    devices_.insert_or_assign(event.device,
+                              Device{event.facts, TabletMapping(event.facts, camera_, options_)});
+    return;
+  }
+  if (on_panel_ && on_panel_->device == event.device) {
+    dropped_.push_back(*on_panel_);  // the end of its drag is still to come, and is no press
+    on_panel_.reset();
+    pointing_ = true;
+  }
+  EndHover(acts);
+}
+
+void Hands::Forget(int device) {
+  devices_.erase(device);
+  const auto is_of_device = [&](const Contact& c) { return c.device == device; };
+  dropped_.erase(std::remove_if(dropped_.begin(), dropped_.end(), is_of_device), dropped_.end());
+}
+
+void Hands::FeedPen(const PenEvent& event, const OverPanel& over_panel, std::vector<Act>* acts) {
+  if (event.kind == PenEvent::Kind::kProximityOut) {
+    EndHover(acts);
+    return;
+  }
+  const Contact contact{event.device, -1};
+  if (OnPanel(contact) || drags_.count(event.device) || bindings_.Doing(event.device)) return;
+  Hover(event, over_panel, acts);
+}
+
+void Hands::Hover(const PenEvent& event, const OverPanel& over_panel, std::vector<Act>* acts) {
+  const Vec2 px = PixelOf(event.device, event.position_mm);
+  if (on_panel_) return;
+  acts->push_back(PanelAct{PanelPointer{px, false}});
+  pointing_ = true;
+  const bool over = over_panel(px);
+  if (!over) {
+    hovering_ = true;
+    const PenAct would = bindings_.WouldDo(event.device);
+    acts->push_back(HoverAct{px, would == PenAct::kDraw ? mode_ : would});
+  } else if (hovering_) {
+    hovering_ = false;
+    acts->push_back(HoverEndAct{});
+  }
+}
+
+void Hands::EndHover(std::vector<Act>* acts) {
+  if (hovering_) acts->push_back(HoverEndAct{});
+  if (pointing_ && !on_panel_) acts->push_back(PanelAct{PanelPointerGone{}});
+  hovering_ = pointing_ = false;
+}
+
+void Hands::FeedDrag(const input::PenDrag& drag, const OverPanel& over_panel,
+                     std::vector<Act>* acts) {
+  const Contact contact{drag.event.device, -1};
+  const Vec2 px = PixelOf(drag.event.device, drag.event.position_mm);
+  if (drag.phase == DragPhase::kBegin && over_panel(px)) {
+    if (on_panel_) {
+      dropped_.push_back(contact);
+      return;
+    }
+    on_panel_ = contact;
+    pointing_ = true;
+  }
+  if (std::find(dropped_.begin(), dropped_.end(), contact) != dropped_.end()) {
+    if (drag.phase == DragPhase::kEnd || drag.phase == DragPhase::kCancel) {
+      Erase(&dropped_, contact);
+    }
+    return;
+  }
+  if (OnPanel(contact)) {
+    const bool over = drag.phase == DragPhase::kEnd || drag.phase == DragPhase::kCancel;
+    acts->push_back(PanelAct{PanelPointer{px, !over}});
+    if (over) on_panel_.reset();
+    return;
+  }
+  const PenAct act = drag.act == PenAct::kDraw ? mode_ : drag.act;
+  Drag({drag.phase, act, drag.event.device, px, drag.event.t_s, drag.event.pressure}, acts);
+}
+
+void Hands::Drag(const DragAct& act, std::vector<Act>* acts) {
+  DragAct sent = act;
+  if (act.phase == DragPhase::kBegin) {
+    if (hovering_) acts->push_back(HoverEndAct{});
+    hovering_ = false;
+    drags_[act.device] = act;
+  } else {
+    const auto begun = drags_.find(act.device);
+    if (begun == drags_.end()) return;
+    sent.act = begun->second.act;  // a tool chosen in mid-drag holds from the next one on
+    begun->second = sent;
+    if (act.phase != DragPhase::kMove) drags_.erase(begun);
+  }
+  acts->push_back(sent);
+}
+
+void Hands::FeedTouch(const TouchEvent& event, const OverPanel& over_panel,
+                      std::vector<Act>* acts) {
+  const Contact contact{event.device, event.finger};
+  const Vec2 px = PixelOf(event.device, event.position_mm);
+  const bool lifts = event.kind == TouchEvent::Kind::kUp || event.kind == TouchEvent::Kind::kCancel;
+  if (event.kind == TouchEvent::Kind::kDown && over_panel(px)) {
+    if (on_panel_) {
+      dropped_.push_back(contact);
+    } else {
+      on_panel_ = contact;
+    }
+  }
+  if (OnPanel(contact)) {
+    if (event.kind != TouchEvent::Kind::kCancel) {
+      acts->push_back(PanelAct{PanelPointer{px, !lifts}});
+    }
+    if (lifts) {
+      acts->push_back(PanelAct{PanelPointerGone{}});
+      on_panel_.reset();
+      pointing_ = false;
+    }
+    return;
+  }
+  if (std::find(dropped_.begin(), dropped_.end(), contact) != dropped_.end()) {
+    if (lifts) Erase(&dropped_, contact);
+    return;
+  }
+  const double px_per_mm = DeviceOf(event.device).mapping.px_per_mm();
+  for (const input::Gesture& gesture : gestures_.Feed({event, px, px_per_mm})) {
+    TakeGesture(gesture, acts);
+  }
+}
+
+void Hands::TakeGesture(const input::Gesture& gesture, std::vector<Act>* acts) {
+  if (const auto* draw = std::get_if<input::FingerDraw>(&gesture)) {
+    const PenEvent& pen = draw->event;
+    Drag({draw->phase, mode_, pen.device, PixelOf(pen.device, pen.position_mm), pen.t_s,
+          pen.pressure},
+         acts);
+  } else if (const auto* orbit = std::get_if<input::OrbitGesture>(&gesture)) {
+    acts->push_back(*orbit);
+  } else if (const auto* pan = std::get_if<input::PanZoomGesture>(&gesture)) {
+    acts->push_back(*pan);
+  } else if (const auto* tap = std::get_if<input::TapGesture>(&gesture)) {
+    acts->push_back(*tap);
+  }
+}
+
+}  // namespace parti::app

@@ -1,0 +1,45 @@
+#include "app/shortcuts.h"
+
+#include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
+
+namespace parti::app {
+namespace {
+
+KeyEvent Press(uint32_t code) { return {.code = code, .pressed = true}; }
+KeyEvent Release(uint32_t code) { return {.code = code}; }
+
+TEST(ShortcutsTest, UndoAndRedoTellShiftApart) {
+  Shortcuts shortcuts;
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_LEFTCTRL), {}));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_Z), {}), Shortcut(PanelCommand(Command(Undo{}))));
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_RIGHTSHIFT), {}));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_Z), {}), Shortcut(PanelCommand(Command(Redo{}))));
+  EXPECT_FALSE(shortcuts.Feed(Release(KEY_LEFTCTRL), {}));
+  EXPECT_FALSE(shortcuts.Feed(Release(KEY_RIGHTSHIFT), {}));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_Z), {}), Shortcut(PanelCommand(PointerMode::kZoom)));
+}
+
+TEST(ShortcutsTest, DeleteNeedsANodeInHand) {
+  Shortcuts shortcuts;
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_DELETE), {}));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_DELETE), {0, 2}),
+            Shortcut(PanelCommand(Command(Delete{{0, 2}}))));
+}
+
+TEST(ShortcutsTest, ReleasesAndUnknownKeysMeanNothing) {
+  Shortcuts shortcuts;
+  EXPECT_FALSE(shortcuts.Feed(Release(KEY_ENTER), {}));
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_TAB), {})) << "between controls it is the panels'";
+}
+
+TEST(ShortcutsTest, EveryRowSaysWhatItDoes) {
+  ASSERT_GT(ShortcutRows().size(), 10u);
+  for (const ShortcutRow& row : ShortcutRows()) {
+    EXPECT_FALSE(row.keys.empty());
+    EXPECT_FALSE(row.does.empty());
+  }
+}
+
+}  // namespace
+}  // namespace parti::app
