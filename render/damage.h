@@ -39,8 +39,9 @@ class Damage {
 
   bool empty() const { return rects_.empty(); }
   const std::vector<PixelRect>& rects() const { return rects_; }
+  /// Whether any of its pixels is inside.
   bool Touches(const PixelRect& rect) const;
-  int64_t area() const;
+  int64_t area() const;  ///< pixels
   const glm::ivec2& size() const { return size_; }
 
   static constexpr size_t kMostRects = 6;

@@ -44,7 +44,7 @@ void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const
   SetPlace(program, frame);
   SetLight(program, frame, scene);
   SetShadow(gl, program, shadow, frame);
-  scene.DrawAllFaces(gl);
+  scene.DrawFacesNearFirst(gl, frame.volume);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -53,7 +53,7 @@ void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame,
   SetDepthState(gl);
   program.Use();
   SetPlace(program, frame);
-  scene.DrawAllFaces(gl);
+  scene.DrawFacesNearFirst(gl, frame.volume);
 }
 
 }  // namespace parti::render

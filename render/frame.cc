@@ -1,6 +1,19 @@
 #include "render/frame.h"
 
+#include "render/gpu_scene.h"
+
 namespace parti::render {
+namespace {
+
+DrawVolume VolumeOf(const glm::mat4& clip_from_world, const Tile& tile, const glm::ivec2& size,
+                    const Vec3& eye) {
+  constexpr float kMargin_px = 0.5f * kWidestLine_px + 1;
+  const Vec2f low = Vec2f(tile.x, tile.y) - kMargin_px;
+  const Vec2f high = Vec2f(tile.x + tile.width, tile.y + tile.height) + kMargin_px;
+  return {clip_from_world, low * 2.0f / Vec2f(size) - 1.0f, high * 2.0f / Vec2f(size) - 1.0f, eye};
+}
+
+}  // namespace
 
 Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const Look& numbers)
     : look(numbers),
@@ -11,6 +24,7 @@ Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const
       clip_from_world(ClipFromWorld(camera, range)),
       eye(camera.eye),
       depth_unit(static_cast<float>(2 * range.far_m * range.near_m / (range.far_m - range.near_m))),
+      volume(VolumeOf(clip_from_world, tile, size, camera.eye)),
       pixels_per_m(view.PixelsPerMetre(camera.eye + view.forward() * range.near_m)) {}
 
 void SetShadow(const Gl& gl, const GlProgram& program, const ShadowLookup& shadow,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/bounds.h"
+#include "render/draw_volume.h"
 #include "render/gl_program.h"
 #include "render/look.h"
 
@@ -29,6 +30,7 @@ struct Frame {
   /// How far clip z moves when a point moves away by its own distance to the eye; the same
   /// everywhere, and x, y and w don't move at all.
   float depth_unit;
+  DrawVolume volume;    ///< what the tile shows, and lines whose width reaches into it
   double pixels_per_m;  ///< at the nearest point of the bounds
 
   /// Viewport such that the tile of the whole picture falls on the framebuffer.

@@ -59,18 +59,19 @@ void Upload(const Faces& faces, VertexStream* stream) {
     const std::array<FaceVertex, 3> triangle = {FaceVertex{p[0], packed, color, id},
                                                 FaceVertex{p[1], packed, color, id},
                                                 FaceVertex{p[2], packed, color, id}};
-    stream->Append(triangle.data());
+    stream->Append(triangle.data(), {p, 3});
   }
 }
 
 void Upload(const Lines& lines, VertexStream* stream) {
-  LineInstance line{{}, {}, Bytes(lines.color), {lines.width_px, lines.dash_px}};
+  LineInstance line{
+      {}, {}, Bytes(lines.color), {std::min(lines.width_px, kWidestLine_px), lines.dash_px}};
   if (!(lines.width_px > 0) || !std::isfinite(lines.width_px)) return;
   if (!(lines.dash_px > 0) || !std::isfinite(lines.dash_px)) line.width_and_dash.y = 0;
   for (size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
     line.a = lines.ends[i];
     line.b = lines.ends[i + 1];
-    if (IsDrawable(line.a) && IsDrawable(line.b)) stream->Append(&line);
+    if (IsDrawable(line.a) && IsDrawable(line.b)) stream->Append(&line, {&lines.ends[i], 2});
   }
 }
 
@@ -117,6 +118,13 @@ void GpuScene::DrawAllFaces(const Gl& gl) const {
   faces.Draw();
   gl.Enable(GL_CULL_FACE);  // with GL's defaults: counter-clockwise is the front, backs are culled
   closed_faces.Draw();
+  gl.Disable(GL_CULL_FACE);
+}
+
+void GpuScene::DrawFacesNearFirst(const Gl& gl, const DrawVolume& volume) const {
+  faces.DrawNearFirst(volume);
+  gl.Enable(GL_CULL_FACE);
+  closed_faces.DrawNearFirst(volume);
   gl.Disable(GL_CULL_FACE);
 }
 

@@ -10,6 +10,9 @@
 
 namespace parti::render {
 
+/// Wider lines are drawn with this width. [px]
+inline constexpr float kWidestLine_px = 64;
+
 /// Consecutive strokes of one colour, drawn as one.
 struct InkGroup {
   Vec4f color;
@@ -30,6 +33,8 @@ struct GpuScene {
   bool ground;
   /// Draws both kinds of faces, without the back sides of closed ones.
   void DrawAllFaces(const Gl& gl) const;
+  /// The same, but only what may lie in the volume.
+  void DrawFacesNearFirst(const Gl& gl, const DrawVolume& volume) const;
 
   Bounds face_bounds;
   Bounds bounds;  ///< lines too

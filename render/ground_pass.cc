@@ -27,7 +27,10 @@ void SetRays(const GlProgram& program, const Frame& frame) {
 void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
                 const ShadowLookup& shadow, const FullScreenTriangle& all) {
   const Look& look = frame.look;
-  gl.Disable(GL_DEPTH_TEST);
+  // At the far end of the depth range: only where nothing else is, and shaded only there.
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_FALSE);
   gl.Disable(GL_BLEND);
   program.Use();
   SetRays(program, frame);
@@ -44,6 +47,7 @@ void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, cons
   program.Set("with_ground", scene.ground ? 1.0f : 0.0f);
   SetShadow(gl, program, shadow, frame);
   all.Draw();
+  gl.DepthMask(GL_TRUE);
 }
 
 }  // namespace parti::render

@@ -17,11 +17,11 @@ void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const
   program.Set("depth_unit", frame.depth_unit);
   program.Set("strength", 1.0f);
   gl.DepthFunc(GL_LEQUAL);
-  scene.lines.Draw();
-  scene.lines_on_top.Draw();
+  scene.lines.DrawSeen(frame.volume);
+  scene.lines_on_top.DrawSeen(frame.volume);
   program.Set("strength", frame.look.hidden_strength);
   gl.DepthFunc(GL_GREATER);
-  scene.lines_on_top.Draw();
+  scene.lines_on_top.DrawSeen(frame.volume);
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);

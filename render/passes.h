@@ -1,4 +1,4 @@
-// The layers of a picture, from the paper up: each draws one kind of thing into the bound
+// The layers of a picture: each draws one kind of thing into the bound
 // framebuffer with the state that it sets itself. Renderer says when; these say how.
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace parti::render {
 
-/// Paper everywhere; grid and shadow on y = 0 where the scene has ground and the eye is above it.
+/// Paper where no face is (after faces, then); grid and shadow on y = 0 where the scene has ground
+/// and the eye is above it.
 void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
                 const ShadowLookup& shadow, const FullScreenTriangle& all);
 

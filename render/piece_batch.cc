@@ -4,6 +4,11 @@
 #include <utility>
 
 namespace parti::render {
+namespace {
+
+constexpr size_t kMostBytes = size_t{1} << 20;  // sent at once
+
+}  // namespace
 
 PieceBatch::PieceBatch(const Gl& gl) : gl_(&gl) {
   gl.GenVertexArrays(1, &array_);
@@ -38,7 +43,7 @@ PieceBatch::~PieceBatch() {
 }
 
 void PieceBatch::Draw(std::span<const InkPiece> pieces) const {
-  constexpr size_t kMost = VertexStream::kBlockBytes / sizeof(InkPiece);
+  constexpr size_t kMost = kMostBytes / sizeof(InkPiece);
   gl_->BindVertexArray(array_);
   gl_->BindBuffer(GL_ARRAY_BUFFER, buffer_);
   for (size_t i = 0; i < pieces.size(); i += kMost) {

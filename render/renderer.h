@@ -18,6 +18,9 @@ struct LoadedScene {
   SunShadow shadow;
 };
 
+/// kMany: Look::samples a pixel. kOne: jagged edges of faces, at half the cost.
+enum class Sampling { kOne, kMany };
+
 /// Used and destroyed while its context is current. Leaves GL's state as its last pass did.
 class Renderer {
  public:
@@ -33,7 +36,7 @@ class Renderer {
   /// `framebuffer`, whose colour must be GL_SRGB8_ALPHA8 without multisampling.
   /// errors  kGraphics  too large, out of memory;  kBadNumber  an invalid camera.
   Result<void> Draw(const LoadedScene& loaded, const Camera& camera, const Tile& tile,
-                    GLuint framebuffer);
+                    GLuint framebuffer, Sampling sampling = Sampling::kMany);
 
   /// Draws ids into the bound framebuffer (GL_RGBA8, depth, no multisampling).
   Result<void> DrawIds(const LoadedScene& loaded, const Camera& camera, const Tile& tile) const;
@@ -44,13 +47,16 @@ class Renderer {
   };
   Renderer(const Gl& gl, const Look& look, Programs programs, GLint most_samples);
   Result<void> SizeFor(const Tile& tile);
+  void Resolve(const Tile& tile, const GlFramebuffer& from, GLuint to, GLbitfield what) const;
 
   const Gl* gl_;
   Look look_;
   Programs programs_;
   GLint most_samples_;
   FullScreenTriangle full_screen_;
-  std::optional<GlFramebuffer> samples_;   ///< multisampled, of the last tile's size
+  // At least as large as the last tile:
+  std::optional<GlFramebuffer> samples_;   ///< multisampled: ground and faces
+  std::optional<GlFramebuffer> picture_;   ///< those resolved, and lines
   std::optional<GlFramebuffer> coverage_;  ///< of ink
 };
 

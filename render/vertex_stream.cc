@@ -1,5 +1,6 @@
 #include "render/vertex_stream.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace parti::render {
@@ -14,6 +15,7 @@ VertexStream::VertexStream(VertexStream&& other) noexcept
       stride_(other.stride_),
       attributes_(other.attributes_),
       waiting_(std::move(other.waiting_)),
+      waiting_box_(other.waiting_box_),
       blocks_(std::exchange(other.blocks_, {})) {}
 
 VertexStream& VertexStream::operator=(VertexStream&& other) noexcept {
@@ -22,6 +24,7 @@ VertexStream& VertexStream::operator=(VertexStream&& other) noexcept {
   std::swap(attributes_, other.attributes_);
   std::swap(primitive_, other.primitive_);
   std::swap(waiting_, other.waiting_);
+  std::swap(waiting_box_, other.waiting_box_);
   std::swap(blocks_, other.blocks_);
   return *this;
 }
@@ -33,16 +36,17 @@ VertexStream::~VertexStream() {
   }
 }
 
-void VertexStream::Append(const void* vertices) {
+void VertexStream::Append(const void* vertices, std::span<const Vec3f> corners) {
   const auto* bytes = static_cast<const std::byte*>(vertices);
   const size_t size = (primitive_ == Primitive::kTriangles ? 3 : 1) * stride_;
   if (waiting_.size() + size > kBlockBytes) Finish();
   waiting_.insert(waiting_.end(), bytes, bytes + size);
+  for (const Vec3f& corner : corners) waiting_box_.Add(Vec3(corner));
 }
 
 void VertexStream::Finish() {
   if (waiting_.empty()) return;
-  Block block{0, 0, static_cast<GLsizei>(waiting_.size() / stride_)};
+  Block block{0, 0, static_cast<GLsizei>(waiting_.size() / stride_), waiting_box_};
   gl_->GenVertexArrays(1, &block.array);
   gl_->BindVertexArray(block.array);
   gl_->GenBuffers(1, &block.buffer);
@@ -59,17 +63,36 @@ void VertexStream::Finish() {
   }
   blocks_.push_back(block);
   waiting_.clear();
+  waiting_box_ = {};
+}
+
+void VertexStream::DrawBlock(const Block& block) const {
+  gl_->BindVertexArray(block.array);
+  if (primitive_ == Primitive::kTriangles) {
+    gl_->DrawArrays(GL_TRIANGLES, 0, block.count);
+  } else {
+    gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+  }
 }
 
 void VertexStream::Draw() const {
+  for (const Block& block : blocks_) DrawBlock(block);
+}
+
+void VertexStream::DrawSeen(const DrawVolume& volume) const {
   for (const Block& block : blocks_) {
-    gl_->BindVertexArray(block.array);
-    if (primitive_ == Primitive::kTriangles) {
-      gl_->DrawArrays(GL_TRIANGLES, 0, block.count);
-    } else {
-      gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
-    }
+    if (volume.Touches(block.box)) DrawBlock(block);
   }
+}
+
+void VertexStream::DrawNearFirst(const DrawVolume& volume) const {
+  std::vector<std::pair<double, const Block*>> seen;
+  for (const Block& block : blocks_) {
+    if (volume.Touches(block.box)) seen.emplace_back(volume.DistanceTo(block.box), &block);
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [distance, block] : seen) DrawBlock(*block);
 }
 
 }  // namespace parti::render
