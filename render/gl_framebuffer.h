@@ -27,6 +27,9 @@ class GlFramebuffer {
   GlFramebuffer& operator=(GlFramebuffer&& other) noexcept;
   ~GlFramebuffer();
 
+  /// Leaves it to its context: for when that can't be current any more.
+  void Abandon() { id_ = color_ = depth_ = 0; }
+
   void Bind() const { gl_->BindFramebuffer(GL_FRAMEBUFFER, id_); }
   GLuint id() const { return id_; }
   GLuint color_texture() const { return color_; }  ///< of a readable one
