@@ -44,7 +44,7 @@ def build(kernel, programs, files, target):
     for path, program in programs.items():
         tree.add_program(program, path)
     for path, text in files.items():
-        tree.add_text(path, text)
+        tree.add_text(path, text, 0o755 if text.startswith("#!") else 0o644)
     _add_users(tree)
     tree.write(target)
 
@@ -93,6 +93,7 @@ def _add_xorg(tree):
                    "libfbdevhw.so", "extensions/libglx.so", "libglamoregl.so"):
         tree.add_program(f"{XORG_MODULES}/{module}")
     tree.add_all("/usr/share/X11/xkb")
+    tree.add_all("/usr/share/X11/locale")
     tree.add_all("/usr/share/X11/xorg.conf.d")
     tree.add_folder("/var/lib/xkb")
     tree.add_folder("/var/log")

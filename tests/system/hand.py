@@ -4,6 +4,7 @@ Places are pixels of the screen. Tablet and touch screen lie over the whole of i
 tablet's do. Devices are numbered as in the drawings made here: 0 the pen, 1 the touch screen.
 """
 import math
+import re
 
 from machine import SCREEN
 
@@ -86,20 +87,37 @@ class Hand:
         self._lines.append(f"touch 1 {kind} {self._t:.6f} {x:.4f},{y:.4f} finger={finger}\n")
 
 
+class Act:
+    """A part of the house: `commands` first, then `strokes` strokes, as a drawing."""
+
+    def __init__(self):
+        self.commands = []
+        self.strokes = 0
+        self._lines = []
+
+    def add(self, line):
+        self.strokes += line.split(" ")[2] == "up"
+        self._lines.append(line)
+
+    def drawing(self):
+        return f"parti-drawing 1\ndevice 0 added 0 {FACTS[0]}\n{''.join(self._lines)}end\n".encode()
+
+
 def house(text):
-    """The strokes of assets/drawings/house.pen, drawn on our tablet at the same places of a view of
-    the same height in angle; as (drawing, number of strokes, commands by strokes before them)."""
-    lines, commands, strokes = [], [], 0
+    """The acts of assets/drawings/house.pen: its strokes on our tablet, at the same places of views
+    that are as high in angle and as wide as our screen makes them."""
+    acts = [Act()]
     for line in text.splitlines():
         words = line.split(" ")
         if words[0] == "after":
-            commands.append((int(words[1].rstrip(":")), line.split(": ", 1)[1]))
+            if acts[-1].strokes:
+                acts.append(Act())
+            command = line.split(": ", 1)[1]
+            acts[-1].commands.append(re.sub(r"size \d+ \d+$", "size {} {}".format(*SCREEN), command))
         elif words[0] == "pen":
-            strokes += words[2] == "up"
             words[4] = "{:.4f},{:.4f}".format(*_to_mm(_house_px(words[4])))
-            lines.append(" ".join(words) + "\n")
-    facts = f"device 0 added 0 {FACTS[0]}\n"
-    return f"parti-drawing 1\n{facts}{''.join(lines)}end\n".encode(), strokes, commands
+            acts[-1].add(" ".join(words) + "\n")
+    return acts
 
 
 def _house_px(position):

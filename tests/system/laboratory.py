@@ -14,6 +14,15 @@ HERE = pathlib.Path(__file__).resolve().parent
 GOLDEN = HERE.parent / "golden"
 GUEST_SHARE = "/usr/share/parti-machine"
 DEVICES = ("cintiq_13hd", "touch_screen")
+PROGRAMS = ("parti", "parti_uinput_devices", "parti_display_probe")
+# In the guest as /usr/bin/draw, to have less to type: draw DISPLAY DOCUMENT
+COMMANDS = "/run/commands"
+COMPLAINTS = "/run/parti.log"
+DRAW = f"""#!/bin/sh
+test -p {COMMANDS} || mkfifo {COMMANDS}
+exec parti "/data/$2.parti" --display "$1" --commands {COMMANDS} \\
+  --log-acknowledged /dev/virtio-ports/said 2>{COMPLAINTS}
+"""
 DISK_MB = 64
 SETTLE_S = 30  # a picture has to stand still within this time
 STILL_S = 1.5  # and counts as still after this one
@@ -29,31 +38,32 @@ def check(holds, what):
 
 
 class Laboratory:
-    def __init__(self, folder, parti, uinput_devices, cache):
-        """folder: for logs, disks and images;  cache: for the kernel's package."""
+    def __init__(self, folder, build, cache):
+        """folder: for logs, disks and images;  build: where the programs are;  cache: for the
+        kernel's package."""
         self.folder = folder
         folder.mkdir(parents=True, exist_ok=True)
         self._kernel = kernel.fetch(cache)
         self._initramfs = folder / "initramfs"
         files = {f"{GUEST_SHARE}/{name}.txt": (HERE / "devices" / f"{name}.txt").read_text()
                  for name in DEVICES}
-        programs = {"/usr/bin/parti": parti, "/usr/bin/parti_uinput_devices": uinput_devices}
+        files["/usr/bin/draw"] = DRAW
+        programs = {f"/usr/bin/{name}": build / name for name in PROGRAMS}
         guest_image.build(self._kernel, programs, files, self._initramfs)
+        self._disk = folder / "disk.img"
         self._boots = 0
 
-    def new_disk(self):
-        """An empty disk with a file system."""
-        disk = self.folder / "disk.img"
-        disk.unlink(missing_ok=True)
-        subprocess.run(["mke2fs", "-q", "-F", "-t", "ext4", disk, f"{DISK_MB}M"], check=True,
+    def renew_disk(self):
+        """The machines that boot from now on have an empty disk with a file system."""
+        self._disk.unlink(missing_ok=True)
+        subprocess.run(["mke2fs", "-q", "-F", "-t", "ext4", self._disk, f"{DISK_MB}M"], check=True,
                        stdout=subprocess.DEVNULL, timeout=60)
-        return disk
 
-    def boot(self, disk):
-        """A machine (a context) that is up, without devices of ours."""
+    def boot(self):
+        """A machine (a context) that is up, without devices of ours, with the disk as it is."""
         self._boots += 1
         folder = self.folder / f"boot-{self._boots}"
-        return Machine(self._kernel.image, self._initramfs, disk, folder)
+        return Machine(self._kernel.image, self._initramfs, self._disk, folder)
 
     def expect_golden(self, machine, name, ignored=()):
         """The screen comes to look like tests/golden/system_NAME.png: a picture that still changes

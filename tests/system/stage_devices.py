@@ -63,11 +63,13 @@ def _record_axes(machine, tablets):
 
 
 def _record_the_house(machine, tablets):
-    drawn, _, _ = house(HOUSE.read_text())
-    texts = []
+    texts, wanted = [], []
     with _recording(machine, texts):
-        tablets.play(drawn, HOUSE_SPEED)
-    seen, wanted = recorded.strokes(texts[0]), recorded.strokes(drawn.decode())
+        for act in house(HOUSE.read_text()):
+            if act.strokes:
+                tablets.play(act.drawing(), HOUSE_SPEED)
+                wanted += recorded.strokes(act.drawing().decode())
+    seen = recorded.strokes(texts[0])
     check(len(seen) == len(wanted), f"{len(seen)} of {len(wanted)} strokes of the house were recorded")
     for number, (stroke, original) in enumerate(zip(seen, wanted), 1):
         for end in (0, -1):

@@ -109,12 +109,19 @@ class Hands(unittest.TestCase):
         kinds = [report.kind for report in recorded.reports(told.drawing().decode(), "touch")]
         self.assertEqual((kinds[:2], kinds[-2:]), (["down", "down"], ["up", "up"]))
 
-    def test_the_house_keeps_its_middle_and_its_strokes(self):
-        drawn, strokes, commands = hand.house(HOUSE.read_text())
-        self.assertEqual(len(recorded.strokes(drawn.decode())), strokes)
-        self.assertEqual(commands[1], (0, "lot rect(20,14)"))
-        middle = "device 0 added 0 pen\npen 0 down 1 140,87.5\npen 0 up 1.1 140,87.5\n"
-        self.assertIn("148.8800,84.6200", hand.house(middle)[0].decode())
+    def test_the_house_is_cut_into_acts_of_commands_and_strokes(self):
+        acts = hand.house(HOUSE.read_text())
+        self.assertEqual(acts[0].commands[1], "lot rect(20,14)")
+        self.assertTrue(acts[0].commands[0].endswith("size 1280 728"), acts[0].commands[0])
+        self.assertEqual(acts[1].commands, ["pick 1 extrude"])
+        for act in acts:
+            self.assertEqual(len(recorded.strokes(act.drawing().decode())), act.strokes)
+        self.assertEqual(sum(act.strokes for act in acts[:-1]), 23)
+        self.assertEqual(acts[-1].strokes, 0)
+
+    def test_the_house_keeps_its_middle(self):
+        (act,) = hand.house("pen 0 down 1 140,87.5\npen 0 up 1.1 140,87.5\n")
+        self.assertIn("148.8800,84.6200", act.drawing().decode())
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import time
 import traceback
 
 import kernel
+import stage_desktop
 import stage_devices
 from laboratory import Failure, Laboratory, Tablets
 from machine import MachineError
@@ -19,6 +20,7 @@ from machine import MachineError
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = {
     "devices": stage_devices,
+    "desktop": stage_desktop,
 }
 PROGRAMS = ("qemu-system-x86_64", "mke2fs", "dpkg-deb", "apt-get", "busybox", "ldd")
 LIMIT_S = 15 * 60
@@ -45,7 +47,8 @@ def run_stage(name, laboratory):
     print(f"system: {name} …", flush=True)
     trouble = None
     try:
-        with laboratory.boot(laboratory.new_disk()) as machine:
+        laboratory.renew_disk()
+        with laboratory.boot() as machine:
             STAGES[name].run(laboratory, machine, Tablets(machine))
     except (Failure, MachineError) as failed:
         trouble = str(failed)
@@ -65,8 +68,7 @@ def main():
         return skip(reason)
     start, folder = time.monotonic(), ROOT / "build" / "system"
     try:
-        laboratory = Laboratory(folder, options.build / "parti", options.build / "parti_uinput_devices",
-                                folder / "kernel")
+        laboratory = Laboratory(folder, options.build, folder / "kernel")
     except kernel.NoKernel as missing:
         return skip(str(missing))
     failed, stages = [], options.stage or list(STAGES)
