@@ -15,8 +15,10 @@ DrawVolume VolumeOf(const glm::mat4& clip_from_world, const Tile& tile, const gl
 
 }  // namespace
 
-Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const Look& numbers)
+Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const Look& numbers,
+             const Detail& wanted)
     : look(numbers),
+      detail(wanted),
       view(camera),
       size(PictureSize(camera)),
       tile(part),

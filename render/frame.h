@@ -15,12 +15,21 @@ struct Tile {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// How finely a picture is drawn.
+struct Detail {
+  bool many_samples = true;  ///< Look::samples a pixel; else one: jagged faces, at half the cost
+  /// Pixels of the picture for one of the view that it is shown in: lines are this much narrower.
+  double scale = 1;
+};
+
 /// One tile of one picture. `look` must outlive it; the camera must be valid.
 struct Frame {
   /// Depth range and matrix are chosen so that `bounds` fit.
-  Frame(const Camera& camera, const Bounds& bounds, const Tile& tile, const Look& look);
+  Frame(const Camera& camera, const Bounds& bounds, const Tile& tile, const Look& look,
+        const Detail& detail = {});
 
   const Look& look;
+  Detail detail;
   View view;
   glm::ivec2 size;  ///< of the whole picture, px
   Tile tile;

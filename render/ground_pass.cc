@@ -37,7 +37,8 @@ void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, cons
   program.Set("paper_low", look.paper_low);
   program.Set("paper_high", look.paper_high);
   program.Set("grid_ink", look.grid_ink);
-  program.Set("grid_strength", look.grid_strength);
+  // Its lines are a pixel wide: in fewer pixels, paler.
+  program.Set("grid_strength", look.grid_strength * static_cast<float>(frame.detail.scale));
   program.Set("shadow_ink", look.shadow_ink);
   const bool has_faces = !scene.face_bounds.empty();
   const Vec3 middle = has_faces ? scene.face_bounds.middle() : frame.view.camera().target;

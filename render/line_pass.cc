@@ -15,6 +15,7 @@ void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const
   program.Set("near", static_cast<float>(frame.range.near_m));
   program.Set("pull", frame.look.line_pull);
   program.Set("depth_unit", frame.depth_unit);
+  program.Set("scale", static_cast<float>(frame.detail.scale));
   program.Set("strength", 1.0f);
   gl.DepthFunc(GL_LEQUAL);
   scene.lines.DrawSeen(frame.volume);

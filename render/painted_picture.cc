@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/reproject.h"
+
 namespace parti::render {
 
 uint32_t PaintedPicture::IdAt(const Vec2& px) const {
@@ -19,6 +21,12 @@ CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture) {
   shown.size_px = picture->size_px;
   shown.view_px = PictureSize(picture->camera);
   shown.keep = picture;
+  return shown;
+}
+
+CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture, const Camera& now) {
+  CanvasPicture shown = ToCanvas(picture);
+  shown.picture_from_canvas = PictureFromMoved(picture->camera, now);
   return shown;
 }
 

@@ -126,8 +126,8 @@ Result<std::shared_ptr<const PaintedPicture>> PictureMaker::Make(
 
 Result<void> PictureMaker::DrawTile(const Camera& camera, const Tile& tile, PaintedPicture* picture,
                                     const GlFramebuffer& slot) {
-  const Sampling sampling = picture->coarse ? Sampling::kOne : Sampling::kMany;
-  const auto drawn = renderer_->Draw(*loaded_, camera, tile, tile_->color.id(), sampling);
+  const Detail detail = picture->coarse ? Detail{false, 1.0 / params_.coarse_divisor} : Detail{};
+  const auto drawn = renderer_->Draw(*loaded_, camera, tile, tile_->color.id(), detail);
   if (!drawn) return drawn;
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, tile_->color.id());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, slot.id());

@@ -74,12 +74,12 @@ void Renderer::Resolve(const Tile& tile, const GlFramebuffer& from, GLuint to,
 }
 
 Result<void> Renderer::Draw(const LoadedScene& loaded, const Camera& camera, const Tile& tile,
-                            GLuint framebuffer, Sampling sampling) {
+                            GLuint framebuffer, const Detail& detail) {
   if (const auto valid = Validate(camera); !valid) return Fail(valid);
   if (const auto sized = SizeFor(tile); !sized) return Fail(sized);
   const GpuScene& scene = loaded.scene;
-  const Frame frame(camera, scene.bounds, tile, look_);
-  const bool many = sampling == Sampling::kMany;
+  const Frame frame(camera, scene.bounds, tile, look_, detail);
+  const bool many = detail.many_samples;
   // GLES encodes whatever goes into an sRGB framebuffer; GL does when asked to.
   if (!gl_->is_gles) gl_->Enable(GL_FRAMEBUFFER_SRGB);
   (many ? samples_ : picture_)->Bind();

@@ -18,9 +18,6 @@ struct LoadedScene {
   SunShadow shadow;
 };
 
-/// kMany: Look::samples a pixel. kOne: jagged edges of faces, at half the cost.
-enum class Sampling { kOne, kMany };
-
 /// Used and destroyed while its context is current. Leaves GL's state as its last pass did.
 class Renderer {
  public:
@@ -36,7 +33,7 @@ class Renderer {
   /// `framebuffer`, whose colour must be GL_SRGB8_ALPHA8 without multisampling.
   /// errors  kGraphics  too large, out of memory;  kBadNumber  an invalid camera.
   Result<void> Draw(const LoadedScene& loaded, const Camera& camera, const Tile& tile,
-                    GLuint framebuffer, Sampling sampling = Sampling::kMany);
+                    GLuint framebuffer, const Detail& detail = {});
 
   /// Draws ids into the bound framebuffer (GL_RGBA8, depth, no multisampling).
   Result<void> DrawIds(const LoadedScene& loaded, const Camera& camera, const Tile& tile) const;

@@ -9,6 +9,7 @@ uniform mat4 clip_from_world;
 uniform vec2 picture;  // px
 uniform float near;    // m
 uniform float pull;    // towards the eye, of the distance to it
+uniform float scale;   // of widths and dashes
 uniform float depth_unit;  // how far clip z moves when a point moves by its distance to the eye
 
 flat out vec4 ink;     // linear
@@ -33,7 +34,8 @@ void main() {
   vec2 step_px = 0.5 * (to.xy - from.xy) * picture;
   float length_px = length(step_px);
   vec2 direction = length_px > 1e-4 ? step_px / length_px : vec2(1.0, 0.0);
-  float half_width = 0.5 * max(width_and_dash.x, 1.0);
+  float width = width_and_dash.x * scale;
+  float half_width = 0.5 * max(width, 1.0);
   float margin = half_width + 0.5;
   bool at_end = (gl_VertexID & 1) == 1;
   float along = at_end ? length_px + margin : -margin;
@@ -42,8 +44,8 @@ void main() {
   float depth_slope = (to.z - from.z) / max(length_px, 2.0 * margin);
   // w is 1: everything between the corners is then linear on the picture, depth included.
   gl_Position = vec4(from.xy + 2.0 * offset / picture, from.z + depth_slope * along, 1.0);
-  float thin = min(width_and_dash.x, 1.0);
+  float thin = min(width, 1.0);
   ink = vec4(LinearFromSrgb(color.rgb), color.a * thin);
-  shape = vec3(length_px, half_width, width_and_dash.y);
+  shape = vec3(length_px, half_width, width_and_dash.y * scale);
   along_across = vec2(along, across);
 }
