@@ -50,8 +50,6 @@ class TabletMapping {
   /// Samples in view pixels; times and pressures unchanged.
   Stroke ToView(const input::PenStroke& stroke) const;
 
-  static constexpr Vec2 kUsualSize_mm{216, 135};  ///< a medium pen tablet, 16:10
-
  private:
   Vec2 px_per_mm_;  ///< to the right and down; negative: turned
   Vec2 origin_px_;  ///< of the tablet's top left corner

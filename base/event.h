@@ -11,12 +11,16 @@
 
 namespace parti {
 
+/// What a surface is taken for whose device does not say its size, mm: a medium pen tablet, 16:10.
+inline constexpr Vec2 kUsualSize_mm{216, 135};
+
 /// What is known of a pen tablet, touch screen, mouse or keyboard.
 struct DeviceFacts {
   std::string name;
   uint32_t vendor = 0;
   uint32_t product = 0;
-  std::optional<Vec2> size_mm;  ///< active area; absent where the device does not say
+  /// Active area; absent where the device does not say: its positions are then of kUsualSize_mm.
+  std::optional<Vec2> size_mm;
   bool has_pen = false;
   bool has_touch = false;
   bool has_pressure = false;

@@ -1,11 +1,11 @@
 #include "input/libinput_source.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <libinput.h>
 #include <libudev.h>
 #include <poll.h>
+#include <sys/epoll.h>
+#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,34 +19,31 @@
 #include <utility>
 
 #include "base/check.h"
+#include "input/libinput_devices.h"
 #include "input/libinput_values.h"
 #include "input/unsmoothed.h"
 
 namespace parti::input {
 namespace {
 
-/// Nodes that could not be opened, and why; filled by libinput's call back.
-struct Denials {
-  std::vector<std::pair<std::string, int>> nodes;
+/// Opens nodes for libinput, and keeps which could not be opened, and why.
+struct Opening {
+  DeviceOpener opener;
+  std::vector<std::pair<std::string, int>> denied;
 
-  void Add(const char* node, int reason) {
+  void Deny(const char* node, int reason) {
     const auto same = [&](const auto& denial) { return denial.first == node; };
-    if (std::none_of(nodes.begin(), nodes.end(), same)) nodes.emplace_back(node, reason);
+    if (std::none_of(denied.begin(), denied.end(), same)) denied.emplace_back(node, reason);
   }
 };
 
-int OpenNode(const char* node, int flags, void* denials) {
-  int fd = ::open(node, flags | O_CLOEXEC);
-  if (fd < 0 && errno == EACCES) {  // reading is enough: no lamp of a pen needs setting
-    fd = ::open(node, (flags & ~O_ACCMODE) | O_RDONLY | O_CLOEXEC);
-  }
-  if (fd >= 0) return fd;
-  const int reason = errno;
-  static_cast<Denials*>(denials)->Add(node, reason);
-  return -reason;
+int OpenNode(const char* node, int flags, void* opening) {
+  const int fd = static_cast<Opening*>(opening)->opener.open(node, flags);
+  if (fd < 0) static_cast<Opening*>(opening)->Deny(node, -fd);
+  return fd;
 }
 
-void CloseNode(int fd, void*) { ::close(fd); }
+void CloseNode(int fd, void* opening) { static_cast<Opening*>(opening)->opener.close(fd); }
 
 constexpr libinput_interface kInterface{OpenNode, CloseNode};
 
@@ -70,104 +67,70 @@ double Now() {
   return static_cast<double>(microseconds) / 1e6;
 }
 
-/// A device's number goes with libinput's device as its user data; 0 there means none.
-void SetNumber(libinput_device* device, size_t number) {
-  libinput_device_set_user_data(device, reinterpret_cast<void*>(number + 1));
-}
-std::optional<int> NumberOf(libinput_device* device) {
-  const auto data = reinterpret_cast<size_t>(libinput_device_get_user_data(device));
-  if (data == 0) return std::nullopt;
-  return static_cast<int>(data) - 1;
-}
+/// A descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {
+    CHECK(fd >= 0, "the kernel gives descriptors for timers and polls");
+  }
+  ~Descriptor() { ::close(fd_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
 
 }  // namespace
 
 struct LibinputSource::State {
-  struct Device {
-    DeviceFacts facts;
-    std::string node;
-    bool present = true;
-    std::vector<Vec2> fingers_mm;  // by finger: the last position, for ups, which have none
-  };
+  explicit State(LibinputOptions options)
+      : opening{std::move(options.opener), {}}, devices(options.mice_and_keys) {}
 
-  Denials denials;
+  Opening opening;
   std::unique_ptr<udev, UnrefUdev> udev_library;
   std::unique_ptr<libinput, UnrefContext> context;
-  std::vector<Device> devices;
-  double last_t_s = 0;
+  LibinputDevices devices;
+  bool suspended = false;
+  Descriptor timer{::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)};
+  Descriptor both{::epoll_create1(EPOLL_CLOEXEC)};  // libinput's descriptor and the timer's
 
-  void Take(libinput_event* event, std::vector<InputEvent>* out);
-  void Add(libinput_device* device, std::vector<InputEvent>* out);
-  void Remove(libinput_device* device, std::vector<InputEvent>* out);
-  void CompletePosition(TouchEvent* touch);
-  double NeverBefore(double t_s) { return last_t_s = std::max(last_t_s, t_s); }
+  Result<void> Begin();
+  void SetTimer();
 };
 
-void LibinputSource::State::Add(libinput_device* device, std::vector<InputEvent>* out) {
-  if (!IsPenOrTouch(device)) {
-    libinput_device_config_send_events_set_mode(device, LIBINPUT_CONFIG_SEND_EVENTS_DISABLED);
-    return;
+/// Makes one descriptor of libinput's and the timer's.
+Result<void> LibinputSource::State::Begin() {
+  if (!context) return Fail(ErrorCode::kDevice, "libinput can't be started");
+  libinput_log_set_handler(context.get(), DropMessage);
+  for (const int fd : {libinput_get_fd(context.get()), timer.get()}) {
+    epoll_event waiting{};
+    waiting.events = EPOLLIN;
+    CHECK(::epoll_ctl(both.get(), EPOLL_CTL_ADD, fd, &waiting) == 0, "descriptors can be polled");
   }
-  const int number = static_cast<int>(devices.size());
-  SetNumber(device, devices.size());
-  devices.push_back({FactsOf(device),
-                     fmt::format("/dev/input/{}", libinput_device_get_sysname(device)),
-                     true,
-                     {}});
-  out->emplace_back(
-      DeviceEvent{DeviceEvent::Kind::kAdded, NeverBefore(Now()), number, devices.back().facts});
+  return {};
 }
 
-void LibinputSource::State::Remove(libinput_device* device, std::vector<InputEvent>* out) {
-  const auto number = NumberOf(device);
-  if (!number) return;
-  Device& gone = devices[static_cast<size_t>(*number)];
-  gone.present = false;
-  out->emplace_back(
-      DeviceEvent{DeviceEvent::Kind::kRemoved, NeverBefore(Now()), *number, gone.facts});
+/// To the time when a held key types again; off while none is held.
+void LibinputSource::State::SetTimer() {
+  const double due_s = devices.Due_s().value_or(0);
+  itimerspec time{};
+  time.it_value.tv_sec = static_cast<time_t>(due_s);
+  time.it_value.tv_nsec = static_cast<int32_t>((due_s - std::floor(due_s)) * 1e9);
+  ::timerfd_settime(timer.get(), TFD_TIMER_ABSTIME, &time, nullptr);
 }
 
-void LibinputSource::State::CompletePosition(TouchEvent* touch) {
-  auto& fingers = devices[static_cast<size_t>(touch->device)].fingers_mm;
-  const auto finger = static_cast<size_t>(touch->finger);
-  if (fingers.size() <= finger) fingers.resize(finger + 1, Vec2(0, 0));
-  const bool placed =
-      touch->kind == TouchEvent::Kind::kDown || touch->kind == TouchEvent::Kind::kMotion;
-  if (placed) {
-    fingers[finger] = touch->position_mm;
-  } else {
-    touch->position_mm = fingers[finger];
-  }
-}
-
-void LibinputSource::State::Take(libinput_event* event, std::vector<InputEvent>* out) {
-  libinput_device* device = libinput_event_get_device(event);
-  const libinput_event_type type = libinput_event_get_type(event);
-  if (type == LIBINPUT_EVENT_DEVICE_ADDED) return Add(device, out);
-  if (type == LIBINPUT_EVENT_DEVICE_REMOVED) return Remove(device, out);
-  const auto number = NumberOf(device);
-  if (!number) return;
-  if (auto pen = PenEventOf(event, *number)) {
-    pen->t_s = NeverBefore(pen->t_s);
-    out->emplace_back(*pen);
-  } else if (auto touch = TouchEventOf(event, *number)) {
-    touch->t_s = NeverBefore(touch->t_s);
-    CompletePosition(&*touch);
-    out->emplace_back(*touch);
-  }
-}
-
-Result<LibinputSource> LibinputSource::OpenSeat(const std::string& seat) {
+Result<LibinputSource> LibinputSource::OpenSeat(const std::string& seat, LibinputOptions options) {
   const auto unsmoothed = Unsmoothed::Make();
   if (!unsmoothed) return Fail(unsmoothed);
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<State>(std::move(options));
   state->udev_library.reset(udev_new());
   if (state->udev_library) {
     state->context.reset(
-        libinput_udev_create_context(&kInterface, &state->denials, state->udev_library.get()));
+        libinput_udev_create_context(&kInterface, &state->opening, state->udev_library.get()));
   }
-  if (!state->context) return Fail(ErrorCode::kDevice, "libinput can't be started");
-  libinput_log_set_handler(state->context.get(), DropMessage);
+  if (auto fine = state->Begin(); !fine) return Fail(fine);
   if (libinput_udev_assign_seat(state->context.get(), seat.c_str()) != 0) {
     return Fail(ErrorCode::kDevice, fmt::format("libinput can't watch seat {}", seat),
                 "name a device node instead, as `--device /dev/input/event5`");
@@ -175,22 +138,24 @@ Result<LibinputSource> LibinputSource::OpenSeat(const std::string& seat) {
   return LibinputSource(std::move(state));
 }
 
-Result<LibinputSource> LibinputSource::OpenDevices(const std::vector<std::string>& nodes) {
+Result<LibinputSource> LibinputSource::OpenDevices(const std::vector<std::string>& nodes,
+                                                   LibinputOptions options) {
   const auto unsmoothed = Unsmoothed::Make();
   if (!unsmoothed) return Fail(unsmoothed);
-  auto state = std::make_unique<State>();
-  state->context.reset(libinput_path_create_context(&kInterface, &state->denials));
-  if (!state->context) return Fail(ErrorCode::kDevice, "libinput can't be started");
-  libinput_log_set_handler(state->context.get(), DropMessage);
+  const bool all = options.mice_and_keys;
+  auto state = std::make_unique<State>(std::move(options));
+  state->context.reset(libinput_path_create_context(&kInterface, &state->opening));
+  if (auto fine = state->Begin(); !fine) return Fail(fine);
   for (const std::string& node : nodes) {
     if (::access(node.c_str(), F_OK) != 0) return tl::unexpected(CannotOpen(node, errno));
     libinput_device* device = libinput_path_add_device(state->context.get(), node.c_str());
-    if (!state->denials.nodes.empty()) {
-      return tl::unexpected(CannotOpen(node, state->denials.nodes.front().second));
+    if (!state->opening.denied.empty()) {
+      return tl::unexpected(CannotOpen(node, state->opening.denied.front().second));
     }
-    if (!device || !IsPenOrTouch(device)) {
+    if (!device || !(IsPenOrTouch(device) || (all && IsMouseOrKeys(device)))) {
       return Fail(ErrorCode::kDevice,
-                  fmt::format("{} is not a pen tablet or touch screen that libinput takes", node),
+                  fmt::format("{} is not a {}pen tablet or touch screen that libinput takes", node,
+                              all ? "mouse, keyboard, " : ""),
                   "`parti devices` lists those that are there");
     }
   }
@@ -202,7 +167,7 @@ LibinputSource::LibinputSource(LibinputSource&&) noexcept = default;
 LibinputSource& LibinputSource::operator=(LibinputSource&&) noexcept = default;
 LibinputSource::~LibinputSource() = default;
 
-int LibinputSource::fd() const { return libinput_get_fd(state_->context.get()); }
+int LibinputSource::fd() const { return state_->both.get(); }
 
 Result<std::vector<InputEvent>> LibinputSource::Dispatch() {
   const int failed = libinput_dispatch(state_->context.get());
@@ -212,8 +177,10 @@ Result<std::vector<InputEvent>> LibinputSource::Dispatch() {
   std::vector<InputEvent> events;
   while (libinput_event* event = libinput_get_event(state_->context.get())) {
     const std::unique_ptr<libinput_event, DestroyEvent> owned(event);
-    state_->Take(event, &events);
+    state_->devices.Take(event, Now(), &events);
   }
+  state_->devices.Tick(Now(), &events);
+  state_->SetTimer();
   return events;
 }
 
@@ -224,19 +191,33 @@ bool LibinputSource::Wait(double timeout_s) const {
   return ::poll(&waiting, 1, static_cast<int>(std::ceil(timeout_s * 1000))) > 0;
 }
 
-const std::string& LibinputSource::node(int device) const {
-  const auto number = static_cast<size_t>(device);
-  CHECK(device >= 0 && number < state_->devices.size(), "a device number that was given out");
-  return state_->devices[number].node;
+void LibinputSource::Suspend() {
+  if (std::exchange(state_->suspended, true)) return;
+  libinput_suspend(state_->context.get());
 }
 
-int LibinputSource::present() const {
-  return static_cast<int>(std::count_if(state_->devices.begin(), state_->devices.end(),
-                                        [](const auto& device) { return device.present; }));
+Result<void> LibinputSource::Resume() {
+  if (!state_->suspended) return {};
+  if (libinput_resume(state_->context.get()) != 0) {
+    return Fail(ErrorCode::kDevice, "libinput can't take the input devices again",
+                "switch to another terminal and back");
+  }
+  state_->suspended = false;
+  return {};
 }
+
+void LibinputSource::SetView(const Vec2& size_px, double scale) {
+  state_->devices.SetView(size_px, scale);
+}
+
+void LibinputSource::SetLeftHanded(bool left_handed) { state_->devices.SetLeftHanded(left_handed); }
+
+const std::string& LibinputSource::node(int device) const { return state_->devices.node(device); }
+
+int LibinputSource::present() const { return state_->devices.present(); }
 
 Error LibinputSource::WhyNothing() const {
-  for (const auto& [node, reason] : state_->denials.nodes) {
+  for (const auto& [node, reason] : state_->opening.denied) {
     if (reason == EACCES || reason == EPERM) return CannotOpen(node, reason);
   }
   return {ErrorCode::kDevice, "no pen tablet and no touch screen is there",

@@ -80,11 +80,26 @@ bool IsPenEvent(libinput_event_type type) {
   return type >= LIBINPUT_EVENT_TABLET_TOOL_AXIS && type <= LIBINPUT_EVENT_TABLET_TOOL_BUTTON;
 }
 
+/// In the millimetres of a screen that does not say its size, libinput gives meaningless numbers.
+Vec2 PositionOf(libinput_event_touch* touch, libinput_device* device) {
+  Vec2 size_mm(0, 0);
+  if (libinput_device_get_size(device, &size_mm.x, &size_mm.y) == 0) {
+    return {libinput_event_touch_get_x(touch), libinput_event_touch_get_y(touch)};
+  }
+  return kUsualSize_mm * Vec2(libinput_event_touch_get_x_transformed(touch, 1),
+                              libinput_event_touch_get_y_transformed(touch, 1));
+}
+
 }  // namespace
 
 bool IsPenOrTouch(libinput_device* device) {
   return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TABLET_TOOL) != 0 ||
          libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TOUCH) != 0;
+}
+
+bool IsMouseOrKeys(libinput_device* device) {
+  return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_POINTER) != 0 ||
+         libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
 }
 
 DeviceFacts FactsOf(libinput_device* device) {
@@ -96,6 +111,10 @@ DeviceFacts FactsOf(libinput_device* device) {
   if (libinput_device_get_size(device, &size_mm.x, &size_mm.y) == 0) facts.size_mm = size_mm;
   facts.has_pen = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TABLET_TOOL) != 0;
   facts.has_touch = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TOUCH) != 0;
+  facts.has_keys = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
+  facts.has_pointer = !facts.has_pen && !facts.has_touch &&
+                      libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_POINTER) != 0;
+  if (facts.has_pointer) facts.view_px_per_mm = PointerPosition::kViewPxPerMm;
   if (!facts.has_pen) return facts;
   const std::unique_ptr<udev_device, Unref> node(libinput_device_get_udev_device(device));
   const std::string axes = SysfsMask(node.get(), "capabilities/abs");
@@ -161,7 +180,7 @@ std::optional<TouchEvent> TouchEventOf(libinput_event* event, int device) {
   value.finger = std::max(0, libinput_event_touch_get_slot(touch));  // -1 on single-touch screens
   value.t_s = Seconds(libinput_event_touch_get_time_usec(touch));
   if (value.kind == TouchEvent::Kind::kDown || value.kind == TouchEvent::Kind::kMotion) {
-    value.position_mm = {libinput_event_touch_get_x(touch), libinput_event_touch_get_y(touch)};
+    value.position_mm = PositionOf(touch, libinput_event_get_device(event));
   }
   return value;
 }

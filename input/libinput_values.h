@@ -1,5 +1,6 @@
 // libinput's devices and events as the values of base/event.h.
-// Not responsible for numbering devices, or for the order of times (libinput_source.h).
+// Not responsible for numbering devices, for the order of times, or for what keys type
+// (libinput_source.h, keyboard.h).
 #pragma once
 
 #include <libinput.h>
@@ -7,11 +8,15 @@
 #include <optional>
 
 #include "base/event.h"
+#include "input/pointer_position.h"
 
 namespace parti::input {
 
-/// Whether Parti listens to the device: a pen tablet or a touch screen.
+/// Whether the device is a pen tablet or a touch screen.
 bool IsPenOrTouch(libinput_device* device);
+
+/// Whether it is a mouse, a touchpad or a keyboard.
+bool IsMouseOrKeys(libinput_device* device);
 
 /// Axes are read from the kernel's capability masks in sysfs, since libinput tells them only for a
 /// tool that is in proximity.
@@ -23,5 +28,16 @@ std::optional<PenEvent> PenEventOf(libinput_event* event, int device);
 /// For ups and cancels the position is left at 0: libinput does not say it.
 /// Nothing for frame marks and events that are not a touch screen's.
 std::optional<TouchEvent> TouchEventOf(libinput_event* event, int device);
+
+/// A mouse's motion or button, as a PenEvent of tool kMouse; moves the pointer.
+/// Nothing for events that are not a mouse's.
+std::optional<PenEvent> MouseEventOf(libinput_event* event, int device, PointerPosition* pointer);
+
+/// Nothing for events that are not a wheel's or a touchpad's, and for the ends of scrolling.
+std::optional<ScrollEvent> ScrollEventOf(libinput_event* event, int device,
+                                         const PointerPosition& pointer);
+
+/// A key's press or release, without its text. Nothing for events that are not a keyboard's.
+std::optional<KeyEvent> KeyEventOf(libinput_event* event, int device);
 
 }  // namespace parti::input

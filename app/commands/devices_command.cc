@@ -1,7 +1,8 @@
-// `parti devices`: the pens and touch screens that libinput sees.
+// `parti devices`: the pens, touch screens, mice and keyboards that libinput sees.
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/commands/commands.h"
@@ -22,8 +23,9 @@ struct Found {
 };
 
 Result<std::vector<Found>> Find(const std::vector<std::string>& nodes) {
-  auto source =
-      nodes.empty() ? input::LibinputSource::OpenSeat() : input::LibinputSource::OpenDevices(nodes);
+  const input::LibinputOptions options{.mice_and_keys = true};
+  auto source = nodes.empty() ? input::LibinputSource::OpenSeat("seat0", options)
+                              : input::LibinputSource::OpenDevices(nodes, options);
   if (!source) return Fail(source);
   const auto events = source->Dispatch();
   if (!events) return Fail(events);
@@ -49,21 +51,28 @@ Json JsonOf(const Found& found) {
             {"pressure", facts.has_pressure},
             {"tilt", facts.has_tilt},
             {"distance", facts.has_distance},
-            {"eraser", facts.has_eraser}};
+            {"eraser", facts.has_eraser},
+            {"pointer", facts.has_pointer},
+            {"keys", facts.has_keys}};
   if (facts.size_mm) json["size_mm"] = {facts.size_mm->x, facts.size_mm->y};
   return json;
 }
 
 std::string LineOf(const Found& found) {
   const DeviceFacts& facts = found.facts;
-  std::string line =
-      fmt::format("{}  {} ({:04x}:{:04x}):", found.node, facts.name, facts.vendor, facts.product);
-  if (facts.has_pen) line += " pen";
-  if (facts.has_touch) line += " touch";
-  if (facts.has_pressure) line += ", pressure";
-  if (facts.has_tilt) line += ", tilt";
-  if (facts.has_distance) line += ", distance";
-  if (facts.has_eraser) line += ", eraser";
+  std::string kinds;
+  for (const auto& [has, name] : {std::pair(facts.has_pen, "pen"),
+                                  {facts.has_touch, "touch"},
+                                  {facts.has_pointer, "mouse"},
+                                  {facts.has_keys, "keys"},
+                                  {facts.has_pressure, "pressure"},
+                                  {facts.has_tilt, "tilt"},
+                                  {facts.has_distance, "distance"},
+                                  {facts.has_eraser, "eraser"}}) {
+    if (has) kinds += (kinds.empty() ? "" : ", ") + std::string(name);
+  }
+  std::string line = fmt::format("{}  {} ({:04x}:{:04x}): {}", found.node, facts.name, facts.vendor,
+                                 facts.product, kinds);
   if (facts.size_mm)
     line += fmt::format(", {:.0f} x {:.0f} mm", facts.size_mm->x, facts.size_mm->y);
   return line;
@@ -92,7 +101,8 @@ int List(const Options& options) {
 
 void AddDevicesCommand(CLI::App& app, Run* run) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("devices", "List pen tablets and touch screens");
+  CLI::App* command =
+      app.add_subcommand("devices", "List pen tablets, touch screens, mice and keyboards");
   command->footer("Example: parti devices --json");
   command->add_option("--device", options->nodes, "Only these nodes, as /dev/input/event5");
   command->add_flag("--json", options->json, "One JSON object instead of a line for each");

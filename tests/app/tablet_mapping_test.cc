@@ -46,8 +46,7 @@ TEST(TabletMappingTest, ThereAndBackIsTheSamePoint) {
 }
 
 TEST(TabletMappingTest, ADeviceWithoutASizeIsTakenForAUsualTablet) {
-  const TabletMapping usual(Tablet(TabletMapping::kUsualSize_mm.x, TabletMapping::kUsualSize_mm.y),
-                            View(1600, 1000));
+  const TabletMapping usual(Tablet(kUsualSize_mm.x, kUsualSize_mm.y), View(1600, 1000));
   EXPECT_EQ(TabletMapping(DeviceFacts{}, View(1600, 1000)).px_per_mm(), usual.px_per_mm());
   EXPECT_EQ(TabletMapping(Tablet(0, 0), View(1600, 1000)).px_per_mm(), usual.px_per_mm());
 }
