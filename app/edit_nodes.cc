@@ -176,13 +176,6 @@ Result<SelectionActionNode> ParseNode(std::string_view text) {
   return std::move(trees->front().nodes.front());
 }
 
-Result<void> Requery(SelectionActionNode* node, const std::string& text) {
-  auto query = grammar::ParseQuery(text);
-  if (!query) return Fail(query);
-  node->query = std::move(*query);
-  return {};
-}
-
 Result<void> Turn(grammar::Action* action, const std::string& name, double value) {
   std::vector<std::string> names;
   for (const grammar::Dial& dial : grammar::Dials(action)) {

@@ -62,9 +62,6 @@ Result<void> RenameAt(grammar::Trees* trees, const NodePath& path, const std::st
 ///         or the lot's own symbol, which stays.
 Result<void> RenameAll(grammar::Trees* trees, const std::string& from, const std::string& to);
 
-/// errors  those of grammar::ParseQuery.
-Result<void> Requery(grammar::SelectionActionNode* node, const std::string& query);
-
 /// Sets a number of an action by its dial's name.
 /// errors  kUnknownName  no such dial (the hint names them);  kBadNumber  outside its range.
 Result<void> Turn(grammar::Action* action, const std::string& dial, double value);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "app/edit_nodes.h"
 #include "app/sketch_reading.h"
@@ -169,17 +170,32 @@ Result<SessionState> WithSketchOn(SessionState state, std::optional<grammar::Que
   return state;
 }
 
+/// A number is that of a candidate; anything else is a query.
+Result<grammar::Query> QueryMeant(const std::string& text, const Selection& selection) {
+  size_t number = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end == text.data() || end != text.data() + text.size()) return grammar::ParseQuery(text);
+  const auto& candidates = selection.candidates;
+  if (code == std::errc() && number >= 1 && number <= candidates.size()) {
+    return candidates[number - 1].query;
+  }
+  return Fail(ErrorCode::kUnknownName, fmt::format("there is no query {}", text),
+              candidates.empty() ? "tap shapes first: select 0/2/5"
+                                 : fmt::format("{} queries are offered", candidates.size()));
+}
+
 Result<SessionState> Do(const SetQuery& command, SessionState state,
                         const SessionOptions& options) {
-  if (!state.in_hand.empty()) {
-    return WithNodeInHand(std::move(state), [&](Trees* trees, const NodePath& path) {
-      return Requery(&NodeAt(trees, path), command.query);
-    });
+  if (state.in_hand.empty() && command.query == "none") {
+    return WithSketchOn(std::move(state), std::nullopt, options);
   }
-  if (command.query == "none") return WithSketchOn(std::move(state), std::nullopt, options);
-  auto query = grammar::ParseQuery(command.query);
+  auto query = QueryMeant(command.query, state.selection);
   if (!query) return Fail(query);
-  return WithSketchOn(std::move(state), std::move(*query), options);
+  if (state.in_hand.empty()) return WithSketchOn(std::move(state), std::move(*query), options);
+  return WithNodeInHand(std::move(state), [&](Trees* trees, const NodePath& path) {
+    NodeAt(trees, path).query = std::move(*query);
+    return Result<void>();
+  });
 }
 
 Result<SessionState> Do(const AddNode& command, SessionState state, const SessionOptions&) {
@@ -328,12 +344,13 @@ Result<SessionState> Do(const Select& command, SessionState state, const Session
     state.selection = {};
     return state;
   }
-  std::vector<ShapeRef>& shapes = state.selection.shapes;
+  std::vector<ShapeRef> shapes = state.selection.shapes;
   for (const std::string& id : command.shapes) {
     const auto ref = RefAt(state.model, id);
     if (!ref) return Fail(ref);
     if (std::erase(shapes, *ref) == 0) shapes.push_back(*ref);
   }
+  state.selection = SelectionOf(state.model, std::move(shapes));
   if (state.just_made) {
     state.in_hand.clear();
     state.just_made = false;

@@ -30,9 +30,9 @@ Result<SessionState> Restore(const SessionRecord& record, const SessionOptions& 
   state.views = record.views;
   state.in_hand = record.in_hand;
   state.just_made = record.just_made;
-  for (const ShapeRef& ref : record.selection) {
-    if (IsThere(state.model, ref)) state.selection.shapes.push_back(ref);
-  }
+  std::vector<ShapeRef> selected = record.selection;
+  std::erase_if(selected, [&](const ShapeRef& ref) { return !IsThere(state.model, ref); });
+  state.selection = SelectionOf(state.model, std::move(selected));
   state.sketch.strokes = record.strokes;
   state.sketch.unread = record.unread;
   state.sketch.query = record.query;

@@ -93,6 +93,15 @@ std::vector<ShapeRef> VisibleShapes(const Model& model) {
   return shapes;
 }
 
+Selection SelectionOf(const Model& model, std::vector<ShapeRef> shapes) {
+  std::vector<const grammar::ShapeTree*> trees;
+  for (const auto& derivation : model.derived) trees.push_back(&derivation->tree);
+  std::vector<grammar::TappedShape> tapped;
+  for (const ShapeRef& ref : shapes) tapped.push_back({ref.lot, ref.shape});
+  auto candidates = grammar::Generalise(trees, tapped);
+  return {std::move(shapes), std::move(candidates)};
+}
+
 const grammar::Shape& ShapeAt(const Model& model, const ShapeRef& ref) {
   return model.derived[ref.lot]->tree[ref.shape];
 }

@@ -11,6 +11,7 @@
 #include "app/lot.h"
 #include "base/camera.h"
 #include "base/stroke.h"
+#include "grammar/generalise.h"
 #include "grammar/selection_action.h"
 #include "sketch/suggestion.h"
 
@@ -102,7 +103,12 @@ struct Sketch {
 /// Shapes that were tapped, and the queries that may be meant by them.
 struct Selection {
   std::vector<ShapeRef> shapes;  ///< in the order tapped
+  /// What `query 1` … take; best first.
+  std::vector<grammar::QueryCandidate> candidates;
 };
+
+/// The shapes with their candidates.
+Selection SelectionOf(const Model& model, std::vector<ShapeRef> shapes);
 
 /// A view that was kept under a name.
 struct NamedView {
