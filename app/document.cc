@@ -1,226 +1,188 @@
 #include "app/document.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
+#include "app/document_lock.h"
+#include "app/document_migration.h"
+#include "app/document_record.h"
 #include "app/document_values.h"
-#include "app/sqlite.h"
 
 namespace parti::app {
 namespace {
 
-constexpr const char* kSchema = R"(
-  CREATE TABLE lot(id INTEGER PRIMARY KEY, name TEXT NOT NULL, item TEXT NOT NULL,
-                   source_origin TEXT NOT NULL);
-  CREATE TABLE rules(id INTEGER PRIMARY KEY CHECK(id = 1), text TEXT NOT NULL);
-  CREATE TABLE view(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, camera TEXT NOT NULL);
-  CREATE TABLE stroke(id INTEGER PRIMARY KEY, camera TEXT NOT NULL, samples BLOB NOT NULL);
-  CREATE TABLE history(id INTEGER PRIMARY KEY, command TEXT NOT NULL);
-)";
+namespace fs = std::filesystem;
 
-Error Damaged(const std::string& path, std::string_view what) {
-  return {ErrorCode::kDamagedFile, fmt::format("{} is not a whole document: {}", path, what),
-          "open a copy of it from before it was damaged"};
-}
-
-Result<void> WriteLots(Database* database, const std::vector<Lot>& lots) {
-  auto insert = database->Prepare("INSERT INTO lot(id, name, item, source_origin) VALUES(?,?,?,?)");
-  if (!insert) return Fail(insert);
-  for (size_t i = 0; i < lots.size(); ++i) {
-    const Lot& lot = lots[i];
-    const auto done = insert->Bind(1, static_cast<int64_t>(i))
-                          .Bind(2, lot.name)
-                          .Bind(3, JsonOf(lot.item))
-                          .Bind(4, fmt::format("{} {}", lot.origin.x, lot.origin.y))
-                          .Run();
-    if (!done) return done;
+/// Every state, and at last the present one once more, so that it is the present one.
+Result<void> WriteStates(Database* database, const Document& document) {
+  Result<void> done;
+  StateSpan span = document.span;
+  span.now = span.first;
+  for (const SessionRecord& state : document.states) {
+    if (done) done = WriteState(database, span, PartsOf(state));
+    ++span.now;
   }
-  return {};
-}
-
-Result<void> WriteStrokes(Database* database, const std::vector<DrawnStroke>& strokes) {
-  auto insert = database->Prepare("INSERT INTO stroke(id, camera, samples) VALUES(?,?,?)");
-  if (!insert) return Fail(insert);
-  for (size_t i = 0; i < strokes.size(); ++i) {
-    const auto done = insert->Bind(1, static_cast<int64_t>(i))
-                          .Bind(2, JsonOf(strokes[i].camera))
-                          .BindBlob(3, BytesOf(strokes[i].stroke))
-                          .Run();
-    if (!done) return done;
-  }
-  return {};
-}
-
-Result<void> WriteText(Database* database, std::string_view sql,
-                       const std::vector<std::string>& texts) {
-  auto insert = database->Prepare(sql);
-  if (!insert) return Fail(insert);
-  for (const std::string& text : texts) {
-    if (const auto done = insert->Bind(1, text).Run(); !done) return done;
-  }
-  return {};
+  return done ? WriteState(database, document.span, PartsOf(PresentOf(document))) : done;
 }
 
 Result<void> WriteAll(Database* database, const Document& document) {
-  // DELETE journalling in a temporary file that is renamed afterwards: one file, always whole.
-  auto done =
-      database->Execute(fmt::format("PRAGMA application_id={}; PRAGMA user_version={}; BEGIN; {}",
-                                    kDocumentApplicationId, kDocumentVersion, kSchema));
-  if (done) done = WriteLots(database, document.lots);
-  if (done) {
-    done =
-        WriteText(database, "INSERT INTO rules(text) VALUES(?)", {grammar::TextOf(document.trees)});
+  auto done = database->Execute("BEGIN");
+  if (done) done = MakeTables(database);
+  for (size_t i = 0; done && i < document.strokes.size(); ++i) {
+    done = WriteStroke(database, *document.strokes[i]);
   }
-  if (done) {
-    done = WriteText(database, "INSERT INTO view(name, camera) VALUES('last', ?)",
-                     {JsonOf(document.view)});
+  for (size_t i = 0; done && i < document.history.size(); ++i) {
+    done = WriteHistory(database, document.history[i]);
   }
-  if (done) done = WriteStrokes(database, document.strokes);
-  if (done) done = WriteText(database, "INSERT INTO history(command) VALUES(?)", document.history);
+  if (done) done = WriteStates(database, document);
+  if (done) done = WritePosted(database, document.posted);
   if (done) done = database->Execute("COMMIT");
   return done;
 }
 
-Result<int64_t> Pragma(Database* database, const std::string& name) {
-  auto statement = database->Prepare("PRAGMA " + name);
-  if (!statement) return Fail(statement);
-  const auto row = statement->Step();
-  if (!row) return Fail(row);
-  return statement->Integer(0);
+Result<void> WriteNewFile(const Document& document, const std::string& path) {
+  auto database = Database::Open(path, Database::Mode::kCreate);
+  if (!database) return Fail(database);
+  auto done = database->Execute("PRAGMA synchronous=FULL");
+  return done ? WriteAll(&*database, document) : done;
 }
 
-Result<void> CheckKind(Database* database, const std::string& path) {
-  const auto id = Pragma(database, "application_id");
-  if (!id) return Fail(id);
-  if (*id != kDocumentApplicationId) {
-    return Fail(ErrorCode::kDamagedFile, fmt::format("{} is a database, but not Parti's", path),
-                "open a .parti document");
-  }
-  const auto version = Pragma(database, "user_version");
-  if (!version) return Fail(version);
-  if (*version > kDocumentVersion) {
-    return Fail(ErrorCode::kDamagedFile,
-                fmt::format("{} was saved by a newer Parti (format {})", path, *version),
-                fmt::format("this one reads formats up to {}: update it", kDocumentVersion));
-  }
-  if (*version < 1) return tl::unexpected<Error>(Damaged(path, "it has no format number"));
-  return {};
+bool Exists(const std::string& path) {
+  std::error_code code;
+  return fs::exists(path, code);
 }
 
-/// Calls `row` for each row of a query; its failures are reported as damage of the document.
-template <typename Row>
-Result<void> ForEach(Database* database, const std::string& path, std::string_view sql, Row row) {
-  auto statement = database->Prepare(sql);
-  if (!statement) return Fail(statement);
-  while (true) {
-    const auto stepped = statement->Step();
-    if (!stepped) return Fail(stepped);
-    if (!*stepped) return {};
-    const Result<void> read = row(*statement);
-    if (!read) return tl::unexpected<Error>(Damaged(path, read.error().message));
+/// A log that a killed program left beside a document goes into that document: it must not be
+/// found beside the one that takes its place.
+void SettleLog(const std::string& path) {
+  if (!Exists(path + "-wal")) return;
+  if (auto old = Database::Open(path, Database::Mode::kWrite)) {
+    static_cast<void>(old->Execute("PRAGMA journal_mode=DELETE"));
   }
 }
 
-Result<void> ReadLot(const Statement& row, std::vector<Lot>* lots) {
-  auto item = PlanarItemFrom(row.Text(1));
-  if (!item) return Fail(item);
-  Lot lot;
-  lot.name = row.Text(0);
-  lot.item = std::move(*item);
-  if (std::sscanf(row.Text(2).c_str(), "%lf %lf", &lot.origin.x, &lot.origin.y) != 2) {
-    return Fail(ErrorCode::kBadText, "a lot has no origin");
+/// A rename is on the disk when its folder is.
+void FlushFolderOf(const std::string& path) {
+  std::error_code code;
+  const fs::path folder = fs::absolute(path, code).parent_path();
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);
+  ::close(fd);
+}
+
+/// The file that a link means, so that links stay links.
+std::string BehindLinks(const std::string& path) {
+  std::error_code code;
+  const fs::path target = fs::canonical(path, code);
+  return code ? path : target.string();
+}
+
+Result<void> Rename(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return {};
+  return Fail(ErrorCode::kFile, fmt::format("can't write {}: {}", to, std::strerror(errno)),
+              "check that the name is not a folder's");
+}
+
+Result<Document> ReadFrom(const std::string& path, Database::Mode mode) {
+  auto database = Database::Open(path, mode);
+  if (!database) return Fail(database);
+  return ReadAnyVersion(&*database, path);
+}
+
+/// Reads a copy, for documents with a log in folders where nothing can be made: SQLite would need
+/// a file beside them.
+Result<Document> ReadFromCopy(const std::string& path) {
+  std::error_code code;
+  const fs::path folder =
+      fs::temp_directory_path(code) / fmt::format("parti-{}-{}", ::getuid(), ::getpid());
+  fs::create_directory(folder, code);
+  const std::string copy = (folder / "copy.parti").string();
+  fs::copy_file(path, copy, fs::copy_options::overwrite_existing, code);
+  if (!code) {
+    fs::copy_file(path + "-wal", copy + "-wal", fs::copy_options::overwrite_existing, code);
   }
-  lots->push_back(std::move(lot));
-  return {};
-}
-
-Result<void> ReadStroke(const Statement& row, std::vector<DrawnStroke>* strokes) {
-  const auto camera = CameraFrom(row.Text(0));
-  if (!camera) return Fail(camera);
-  auto stroke = StrokeFromBytes(row.Text(1));
-  if (!stroke) return Fail(stroke);
-  strokes->push_back({std::move(*stroke), *camera});
-  return {};
-}
-
-Result<void> ReadRules(const Statement& row, grammar::Trees* trees) {
-  auto parsed = grammar::ParseTrees(row.Text(0));
-  if (!parsed) return tl::unexpected<Error>(parsed.error().front());
-  *trees = std::move(*parsed);
-  return {};
-}
-
-Result<void> ReadView(const Statement& row, Camera* view) {
-  const auto camera = CameraFrom(row.Text(0));
-  if (!camera) return Fail(camera);
-  *view = *camera;
-  return {};
+  auto document = code ? Result<Document>(Fail(ErrorCode::kFile, fmt::format("can't read {}: {}",
+                                                                             path, code.message())))
+                       : ReadFrom(copy, Database::Mode::kWrite);
+  fs::remove_all(folder, code);
+  return document;
 }
 
 }  // namespace
 
+const SessionRecord& PresentOf(const Document& document) {
+  return document.states[document.span.now - document.span.first];
+}
+
 Document DocumentOf(const Session& session) {
-  const SessionState& state = session.state();
   Document document;
-  document.lots = state.model.lots();
-  document.trees = state.model.trees();
-  document.view = state.camera;
-  for (const HistoryEntry& entry : session.history()) {
-    if (entry.command) {
-      document.history.push_back(TextOf(*entry.command));
-    } else {
-      document.history.push_back(fmt::format("stroke {}", document.strokes.size()));
-      document.strokes.push_back(*entry.stroke);
-    }
+  document.span = session.timeline().span();
+  for (uint64_t i = document.span.first; i <= document.span.last; ++i) {
+    document.states.push_back(session.timeline().step(i).record);
   }
+  std::map<uint32_t, std::shared_ptr<const DrawnStroke>> strokes;
+  for (const SessionRecord& state : document.states) {
+    for (const auto& drawn : state.strokes) strokes[drawn->number] = drawn;
+    for (const auto& drawn : state.unread) strokes[drawn->number] = drawn;
+  }
+  for (const HistoryEntry& entry : session.history()) {
+    if (entry.stroke) strokes[entry.stroke->number] = entry.stroke;
+    document.history.push_back(entry.stroke ? fmt::format("stroke {}", entry.stroke->number)
+                                            : TextOf(*entry.command));
+  }
+  for (auto& [number, drawn] : strokes) document.strokes.push_back(std::move(drawn));
   return document;
 }
 
+Result<Session> SessionOf(const Document& document, const SessionOptions& options) {
+  auto present = Restore(PresentOf(document), options);
+  if (!present) return Fail(present);
+  const uint32_t drawn = document.strokes.empty() ? 0 : document.strokes.back()->number + 1;
+  return Session(Timeline(document.states, document.span.first, document.span.now,
+                          std::move(*present), options.undo),
+                 drawn, options);
+}
+
 Result<void> SaveDocument(const Document& document, const std::string& path) {
-  const std::string temporary = fmt::format("{}.{}.tmp", path, ::getpid());
-  std::remove(temporary.c_str());
-  auto done = [&]() -> Result<void> {
-    auto database = Database::Open(temporary, Database::Mode::kCreate);
-    if (!database) return Fail(database);
-    return WriteAll(&*database, document);
-  }();
-  if (done && std::rename(temporary.c_str(), path.c_str()) != 0) {
-    done = Fail(ErrorCode::kFile, fmt::format("can't write {}: {}", path, std::strerror(errno)),
-                "check that the name is not a folder's");
+  if (const auto holder = DocumentLock::HolderOf(path)) {
+    return Fail(ErrorCode::kFile, fmt::format("{} is open in {}", path, *holder),
+                "close it there, or save it under another name");
   }
-  if (!done) std::remove(temporary.c_str());
+  SettleLog(path);
+  return ReplaceDocument(document, path);
+}
+
+Result<void> ReplaceDocument(const Document& document, const std::string& path) {
+  const std::string target = BehindLinks(path);
+  const std::string temporary = fmt::format("{}.{}.tmp", target, ::getpid());
+  std::remove(temporary.c_str());
+  auto done = WriteNewFile(document, temporary);
+  if (done) {
+    for (const char* log : {"-wal", "-shm"}) std::remove((target + log).c_str());
+    done = Rename(temporary, target);
+  }
+  if (done) {
+    FlushFolderOf(target);
+  } else {
+    std::remove(temporary.c_str());
+  }
   return done;
 }
 
 Result<Document> OpenDocument(const std::string& path) {
-  auto database = Database::Open(path, Database::Mode::kRead);
-  if (!database) return Fail(database);
-  auto done = CheckKind(&*database, path);
-  Document document;
-  const auto read = [&](std::string_view sql, auto row) {
-    if (done) done = ForEach(&*database, path, sql, row);
-  };
-  read("SELECT name, item, source_origin FROM lot ORDER BY id",
-       [&](const Statement& row) { return ReadLot(row, &document.lots); });
-  read("SELECT text FROM rules",
-       [&](const Statement& row) { return ReadRules(row, &document.trees); });
-  read("SELECT camera FROM view WHERE name = 'last'",
-       [&](const Statement& row) { return ReadView(row, &document.view); });
-  read("SELECT camera, samples FROM stroke ORDER BY id",
-       [&](const Statement& row) { return ReadStroke(row, &document.strokes); });
-  read("SELECT command FROM history ORDER BY id", [&](const Statement& row) -> Result<void> {
-    document.history.push_back(row.Text(0));
-    return {};
-  });
-  if (!done) return Fail(done);
-  return document;
+  auto document = ReadFrom(path, Database::Mode::kRead);
+  if (document || document.error().code != ErrorCode::kFile || !Exists(path)) return document;
+  return Exists(path + "-wal") ? ReadFromCopy(path)
+                                   : ReadFrom(path, Database::Mode::kReadAlone);
 }
 
 bool LooksLikeDocument(const std::string& path) {

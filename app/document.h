@@ -1,32 +1,48 @@
 // The `.parti` document: one SQLite file with everything of a session (docs/document.md).
-// Not responsible for writing while a person draws; that comes with the application.
+// Whole documents, written and read at once; writing while a person draws is document_file.h's.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/document_tables.h"
 #include "app/session.h"
 
 namespace parti::app {
 
 /// What a document keeps, as one value.
 struct Document {
-  std::vector<Lot> lots;
-  grammar::Trees trees;
-  Camera view;                       ///< the view on the model when it was saved
-  std::vector<DrawnStroke> strokes;  ///< every stroke, with pressure and time
-  /// What was done, in order: "stroke N" (from 0) and commands as ParseCommand reads them.
+  std::vector<std::shared_ptr<const DrawnStroke>> strokes;  ///< all that are known, by number
+  /// What was done, in order: "stroke N" (its number) and commands as ParseCommand reads them.
   std::vector<std::string> history;
+  /// What undo and redo go through, oldest first: the states span.first … span.last; n >= 1.
+  std::vector<SessionRecord> states;
+  StateSpan span;                     ///< its `now` is the state that the person sees
+  std::vector<PostedRequest> posted;  ///< to be executed first, in order
 };
 
-/// What is kept of a session.
+/// The state that the person sees.
+const SessionRecord& PresentOf(const Document& document);
+
+/// Everything of a session.
 Document DocumentOf(const Session& session);
 
-/// Writes a whole document through a temporary file in the same folder: the old one or the new.
-/// The same document gives the same bytes.
-/// errors  kFile.
+/// A session that goes on where the document left, undo and redo included; `posted` is the caller's
+/// to execute. errors  those of Restore.
+Result<Session> SessionOf(const Document& document, const SessionOptions& options);
+
+/// Writes a whole document through a temporary file in the same folder: the old one or the new,
+/// flushed to the disk. The same document gives the same bytes.
+/// errors  kFile  it can't be written, or another Parti has it open.
 Result<void> SaveDocument(const Document& document, const std::string& path);
 
+/// As SaveDocument, where the caller itself has the old document open, and closes it before it
+/// opens the new one.
+Result<void> ReplaceDocument(const Document& document, const std::string& path);
+
+/// Reads a document of this or an older version, also while another process writes it, and after
+/// one that was killed.
 /// errors  kFile  it does not exist or can't be read;  kDamagedFile  not a document, a damaged one,
 ///         or one by a newer version of the program (the hint says which).
 Result<Document> OpenDocument(const std::string& path);
@@ -35,6 +51,6 @@ Result<Document> OpenDocument(const std::string& path);
 bool LooksLikeDocument(const std::string& path);
 
 inline constexpr int kDocumentApplicationId = 0x50525449;  // "PRTI"
-inline constexpr int kDocumentVersion = 1;
+inline constexpr int kDocumentVersion = 2;
 
 }  // namespace parti::app

@@ -1,9 +1,14 @@
 #include "app/document_drafts.h"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <system_error>
@@ -26,10 +31,18 @@ Result<std::string> NewDraftPath(const std::string& data_folder) {
   std::tm local{};
   ::localtime_r(&now, &local);
   const std::string name = fmt::format("{:%Y-%m-%d %H.%M.%S}", local);
-  std::error_code code;
   for (int i = 1;; ++i) {  // several in one second
-    fs::path path = folder / (i == 1 ? name + ".parti" : fmt::format("{} {}.parti", name, i));
-    if (!fs::exists(path, code)) return path.string();
+    const fs::path path = folder / (i == 1 ? name + ".parti" : fmt::format("{} {}.parti", name, i));
+    const int fd = ::open(path.c_str(), O_CREAT | O_EXCL | O_CLOEXEC | O_WRONLY, S_IRUSR | S_IWUSR);
+    if (fd >= 0) {
+      ::close(fd);
+      return path.string();
+    }
+    if (errno != EEXIST) {
+      return Fail(ErrorCode::kFile,
+                  fmt::format("can't make {}: {}", path.string(), std::strerror(errno)),
+                  "make room or get permission there, or save it as another file elsewhere");
+    }
   }
 }
 
@@ -37,7 +50,7 @@ std::vector<std::string> DraftsIn(const std::string& data_folder) {
   std::vector<std::pair<fs::file_time_type, std::string>> found;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(DraftFolder(data_folder), code)) {
-    if (entry.path().extension() != ".parti") continue;
+    if (entry.path().extension() != ".parti" || entry.file_size(code) == 0) continue;
     found.emplace_back(entry.last_write_time(code), entry.path().string());
   }
   std::sort(found.rbegin(), found.rend());

@@ -10,7 +10,7 @@
 namespace parti::app {
 
 /// A path for a new draft below `data_folder`/drafts, named after the local time, "2026-11-22
-/// 09.30.05.parti"; nothing is there yet. Makes the folder.
+/// 09.30.05.parti". The folder is made, and an empty file holds the place against other instances.
 /// errors  kFile.
 Result<std::string> NewDraftPath(const std::string& data_folder);
 

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   AddRecordCommand(app, &run);
   AddQueryCommand(app, &run);
   AddReplayCommand(app, &run);
+  AddReportCommand(app, &run);
   AddRenderCommand(app, &run);
   AddExportCommand(app, &run);
   try {

@@ -11,12 +11,13 @@ namespace {
 
 using Failed = tl::unexpected<std::vector<Error>>;
 
-tl::expected<OpenedModel, std::vector<Error>> Built(std::vector<Lot> lots, grammar::Trees trees,
-                                                    std::optional<Camera> view,
-                                                    grammar::Unfit unfit) {
-  auto model = BuiltOn(std::move(lots), std::move(trees), unfit);
+tl::expected<OpenedModel, std::vector<Error>> FromDocument(const std::string& path) {
+  const auto document = OpenDocument(path);
+  if (!document) return Failed({document.error()});
+  const SessionRecord& present = PresentOf(*document);
+  auto model = Derived(present.ground, present.rules, nullptr, grammar::Unfit::kSkip);
   if (!model) return Failed({model.error()});
-  return OpenedModel{std::move(*model), view};
+  return OpenedModel{std::move(*model), present.camera};
 }
 
 }  // namespace
@@ -36,15 +37,14 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
       return Failed({Error{ErrorCode::kBadArguments, "a document has its own lots",
                            "leave --lot out, or give a .cga text"}});
     }
-    auto document = OpenDocument(options.file);
-    if (!document) return Failed({document.error()});
-    return Built(std::move(document->lots), std::move(document->trees), document->view,
-                 grammar::Unfit::kSkip);
+    return FromDocument(options.file);
   }
   auto file =
       options.lot.empty() ? ReadModelFile(options.file) : ReadModelFile(options.file, options.lot);
   if (!file) return Failed(std::move(file.error()));
-  return Built(std::move(file->lots), std::move(file->trees), std::nullopt, grammar::Unfit::kFail);
+  auto model = BuiltOn(std::move(file->lots), std::move(file->trees));
+  if (!model) return Failed({model.error()});
+  return OpenedModel{std::move(*model), std::nullopt};
 }
 
 int ReportAll(const std::vector<Error>& errors) {

@@ -15,7 +15,7 @@
 
 namespace parti::app {
 
-/// What a person asks of documents. Nothing that is open is lost by any of them.
+/// What a person asks of documents. Refused where something would be lost.
 struct DocumentRequest {
   enum class Kind : uint8_t {
     kNew,              ///< an empty one, a draft until it is saved as something; path unused
@@ -26,6 +26,8 @@ struct DocumentRequest {
   };
   Kind kind = Kind::kNew;
   std::string path = {};
+  /// kNew, kOpen: go on even where the open document has changes that could not be written.
+  bool give_up = false;
   bool operator==(const DocumentRequest&) const = default;
 };
 

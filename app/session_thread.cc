@@ -2,38 +2,91 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <thread>
 
-#include "app/document.h"
-#include "app/document_drafts.h"
+#include "app/document_report.h"
+#include "app/document_thread.h"
 #include "app/output.h"
 #include "app/session.h"
 #include "base/check.h"
 
 namespace parti::app {
+namespace {
+
+/// A view that another view follows at once was never seen: looking there is no loss to skip.
+bool IsMoot(const SessionRequest& request, const SessionRequest& next) {
+  const auto is_view = [](const SessionRequest& r) {
+    const auto* command = std::get_if<Command>(&r);
+    return command != nullptr && std::holds_alternative<SetView>(*command);
+  };
+  return is_view(request) && is_view(next);
+}
+
+/// Documents hold finite numbers only, and times that don't run backwards.
+void Clean(Stroke* stroke) {
+  const auto is_finite = [](const StrokeSample& s) {
+    return std::isfinite(s.position.x) && std::isfinite(s.position.y) && std::isfinite(s.t_s);
+  };
+  std::erase_if(*stroke, [&](const StrokeSample& s) { return !is_finite(s); });
+  double last_s = -std::numeric_limits<double>::infinity();
+  for (StrokeSample& sample : *stroke) {
+    sample.t_s = last_s = std::max(sample.t_s, last_s);
+    if (sample.pressure && !std::isfinite(*sample.pressure)) sample.pressure.reset();
+  }
+}
+
+/// What can't be written into a document and read again can't be done.
+Result<void> Checked(const Command& command) {
+  const auto again = ParseCommand(TextOf(command));
+  return again ? Result<void>() : Fail(again);
+}
+
+/// What a person reads while it takes its time.
+std::string Doing(const DocumentRequest& request) {
+  switch (request.kind) {
+    case DocumentRequest::Kind::kNew:
+      return "";
+    case DocumentRequest::Kind::kOpen:
+      return "opening " + request.path;
+    default:
+      return "writing " + request.path;
+  }
+}
+
+}  // namespace
 
 class SessionThread::Impl {
  public:
   explicit Impl(SessionThreadOptions options)
       : options_(std::move(options)), session_(options_.session) {
-    Publish();
+    document_.emplace(options_.folders, [this](const DocumentStatus& status, int64_t acknowledged) {
+      TakeNews(status, acknowledged);
+    });
+    PublishState();
     thread_ = std::thread([this] { Work(); });
   }
   ~Impl() { Stop(); }
 
   uint64_t Post(SessionRequest request) {
+    if (auto* stroke = std::get_if<Stroke>(&request)) Clean(stroke);
+    const auto shared = std::make_shared<const SessionRequest>(std::move(request));
     const std::lock_guard lock(mutex_);
     CHECK(!stopping_, "nothing can be posted after Stop()");
-    waiting_.push_back(std::move(request));
+    const uint64_t number = ++last_number_;
+    waiting_.push_back({number, shared});
+    document_->Posted(static_cast<int64_t>(number), shared);
     posted_.notify_one();
-    return ++last_number_;
+    return number;
   }
 
   std::shared_ptr<const SessionSnapshot> Newest() const {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(newest_mutex_);
     return newest_;
   }
 
@@ -46,121 +99,189 @@ class SessionThread::Impl {
       posted_.notify_one();
     }
     if (thread_.joinable()) thread_.join();
+    document_.reset();  // writes what was executed
   }
 
  private:
+  struct Request {
+    uint64_t number = 0;
+    std::shared_ptr<const SessionRequest> what;
+    bool moot = false;  // the next one makes it so
+  };
+
   void Work() {
-    if (!options_.path.empty()) Note(Open(options_.path));
-    Publish();
+    StartAnew(true);
+    if (!options_.path.empty()) {
+      const auto opened = Open({DocumentRequest::Kind::kOpen, options_.path});
+      if (!opened) Note(0, opened.error());
+    }
+    PublishState();
     while (auto request = Next()) {
-      ++snapshot_.executed;
-      Note(std::visit([this](auto& r) { return Do(r); }, *request));
-      Publish();
+      auto done = request->moot ? Result<void>() : Do(*request);
+      if (!done) Note(request->number, done.error());
+      document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
+      PublishState(request->number);
     }
   }
 
   /// Waits for a request; nothing when all are done and it is time to stop.
-  std::optional<SessionRequest> Next() {
+  std::optional<Request> Next() {
     std::unique_lock lock(mutex_);
     posted_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
     if (waiting_.empty()) return std::nullopt;
-    auto request = std::optional<SessionRequest>(std::move(waiting_.front()));
+    Request request = std::move(waiting_.front());
     waiting_.pop_front();
+    request.moot = !waiting_.empty() && IsMoot(*request.what, *waiting_.front().what);
     return request;
   }
 
-  void Note(const Result<void>& done) {
-    if (!done) snapshot_.last_error = {snapshot_.executed, done.error()};
-  }
-
-  void Publish() {
-    snapshot_.state = std::make_shared<const SessionState>(session_.state());
-    const std::lock_guard lock(mutex_);
-    snapshot_.busy = !waiting_.empty();
-    newest_ = std::make_shared<const SessionSnapshot>(snapshot_);
-    ready_.Wake();
-  }
-
-  Result<void> Do(const Stroke& stroke) {
-    const auto done = session_.AddStroke(stroke);
-    Keep();
+  Result<void> Do(const Request& request) {
+    if (const auto* stroke = std::get_if<Stroke>(request.what.get())) {
+      return session_.AddStroke(*stroke);
+    }
+    if (const auto* command = std::get_if<Command>(request.what.get())) {
+      auto may = Checked(*command);
+      return may ? session_.Execute(*command) : may;
+    }
+    const auto& about = std::get<DocumentRequest>(*request.what);
+    SetDoing(Doing(about));
+    auto done = DoDocument(about);
+    SetDoing("");
     return done;
   }
 
-  Result<void> Do(const Command& command) {
-    const auto done = session_.Execute(command);
-    Keep();
-    return done;
-  }
-
-  Result<void> Do(const DocumentRequest& request) {
+  Result<void> DoDocument(const DocumentRequest& request) {
     switch (request.kind) {
       case DocumentRequest::Kind::kNew:
-        session_ = Session(options_.session);
-        snapshot_.document = {};
-        snapshot_.acknowledged = snapshot_.executed;
-        return {};
+        return StartAnew(request.give_up);
       case DocumentRequest::Kind::kOpen:
-        return Open(request.path);
+        return Open(request);
       case DocumentRequest::Kind::kSaveAs:
-        return SaveAs(request.path);
+        return document_->Run([&](DocumentKeeper& keeper) {
+          return keeper.SaveAs(request.path, DocumentOf(session_));
+        });
       case DocumentRequest::Kind::kExport:
         return ExportModel(session_.state().model, session_.state().camera, request.path);
       case DocumentRequest::Kind::kRecordForReport:
-        return Fail(ErrorCode::kNothingMade, "no session has been recorded");
+        return document_->Run([&](DocumentKeeper& keeper) {
+          return WriteReport(keeper.Everything(DocumentOf(session_)), request.path);
+        });
     }
     return {};
   }
 
-  Result<void> Open(const std::string& path) {
-    auto document = OpenDocument(path);
+  Result<void> StartAnew(bool give_up) {
+    Session fresh(options_.session);
+    auto done = document_->Run(
+        [&](DocumentKeeper& keeper) { return keeper.New(DocumentOf(fresh), give_up); });
+    if (done) session_ = std::move(fresh);
+    return done;
+  }
+
+  Result<void> Open(const DocumentRequest& request) {
+    const auto document = document_->Run(
+        [&](DocumentKeeper& keeper) { return keeper.Open(request.path, request.give_up); });
     if (!document) return Fail(document);
-    auto model =
-        BuiltOn(std::move(document->lots), std::move(document->trees), grammar::Unfit::kSkip);
-    if (!model) return Fail(model);
-    session_ = Session(std::move(*model), document->view, options_.session);
-    snapshot_.document = {path, true};
-    snapshot_.acknowledged = snapshot_.executed;
+    auto session = SessionOf(*document, options_.session);
+    if (!session) {
+      static_cast<void>(StartAnew(true));  // can't fail: nothing has changed in it
+      return Fail(session);
+    }
+    session_ = std::move(*session);
+    DoLeftOver(document->posted);
     return {};
   }
 
-  Result<void> SaveAs(const std::string& path) {
-    if (auto done = SaveDocument(DocumentOf(session_), path); !done) return done;
-    snapshot_.document = {path, true};
-    snapshot_.acknowledged = snapshot_.executed;
-    return {};
+  /// Executes what had been posted when the program was killed. Its numbers end with 0.
+  void DoLeftOver(const std::vector<PostedRequest>& posted) {
+    auto number = -static_cast<int64_t>(posted.size());
+    for (const PostedRequest& request : posted) {
+      const auto done = DoAgain(request);
+      if (!done) Note(0, done.error());
+      document_->Executed(ChangeBy(++number, done.has_value()));
+    }
   }
 
-  /// Brings the document's file up to what was executed; a failure stays in the status.
-  void Keep() {
-    DocumentStatus& status = snapshot_.document;
-    if (status.path.empty()) {
-      const auto path = NewDraftPath(options_.folders.data);
-      if (path) status.path = *path;
-      if (!path) status.trouble = path.error();
+  Result<void> DoAgain(const PostedRequest& request) {
+    if (request.command.empty()) return session_.AddStroke(request.stroke);
+    const auto command = ParseCommand(request.command);
+    return command ? session_.Execute(*command) : Fail(command);
+  }
+
+  /// What the session did since the last call.
+  DocumentChange ChangeBy(int64_t number, bool done) {
+    DocumentChange change{number};
+    for (const HistoryEntry& entry : session_.history()) {
+      change.stroke = entry.stroke;
+      if (entry.command) change.command = TextOf(*entry.command);
     }
-    if (!status.path.empty()) {
-      const auto done = SaveDocument(DocumentOf(session_), status.path);
-      status.trouble = done ? std::nullopt : std::optional(done.error());
+    if (done || change.stroke) {
+      change.span = session_.timeline().span();
+      change.state = session_.timeline().step(change.span.now).record;
     }
-    status.unwritten = status.trouble ? status.unwritten + 1 : 0;
-    if (!status.trouble) snapshot_.acknowledged = snapshot_.executed;
+    session_.ForgetHistory();
+    return change;
+  }
+
+  void Note(uint64_t number, const Error& error) {
+    const std::lock_guard lock(publish_mutex_);
+    snapshot_.last_error = {number, error};
+  }
+
+  void SetDoing(const std::string& doing) {
+    const std::lock_guard lock(publish_mutex_);
+    snapshot_.doing = doing;
+    if (!doing.empty()) Publish();
+  }
+
+  void PublishState(uint64_t executed = 0) {
+    auto state = std::make_shared<const SessionState>(session_.state());
+    const Timeline::Span span = session_.timeline().span();
+    const std::lock_guard lock(publish_mutex_);
+    snapshot_.state = std::move(state);
+    snapshot_.can_undo = span.now > span.first;
+    snapshot_.can_redo = span.now < span.last;
+    snapshot_.executed = std::max(snapshot_.executed, executed);
+    Publish();
+  }
+
+  /// On the document's thread.
+  void TakeNews(const DocumentStatus& status, int64_t acknowledged) {
+    const std::lock_guard lock(publish_mutex_);
+    const auto number = static_cast<uint64_t>(std::max<int64_t>(acknowledged, 0));
+    if (snapshot_.document == status && snapshot_.acknowledged == number) return;
+    snapshot_.document = status;
+    snapshot_.acknowledged = number;
+    if (snapshot_.state) Publish();
+  }
+
+  /// publish_mutex_ is held.
+  void Publish() {
+    auto newest = std::make_shared<const SessionSnapshot>(snapshot_);
+    {
+      const std::lock_guard lock(newest_mutex_);
+      newest_ = std::move(newest);
+    }
+    ready_.Wake();
   }
 
   const SessionThreadOptions options_;
   WakeFd ready_;
 
-  mutable std::mutex mutex_;  // held to move a value, never longer; guards:
+  std::mutex mutex_;  // held to move a value, never longer; guards:
   std::condition_variable posted_;
-  std::deque<SessionRequest> waiting_;
+  std::deque<Request> waiting_;
   uint64_t last_number_ = 0;
   bool stopping_ = false;
+
+  mutable std::mutex newest_mutex_;  // held to copy a pointer; guards:
   std::shared_ptr<const SessionSnapshot> newest_;
 
-  // The session thread's own.
-  Session session_;
+  std::mutex publish_mutex_;  // between the session's thread and the document's; guards:
   SessionSnapshot snapshot_;
 
+  Session session_;  // the session thread's own
+  std::optional<DocumentThread> document_;
   std::thread thread_;
 };
 

@@ -4,6 +4,53 @@
 #include <sqlite3.h>
 
 namespace parti::app {
+namespace {
+
+int FlagsOf(Database::Mode mode) {
+  switch (mode) {
+    case Database::Mode::kRead:
+      return SQLITE_OPEN_READONLY;
+    case Database::Mode::kReadAlone:
+      return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+    case Database::Mode::kWrite:
+      return SQLITE_OPEN_READWRITE;
+    case Database::Mode::kCreate:
+      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return SQLITE_OPEN_READONLY;
+}
+
+/// A path as SQLite reads it behind "file:".
+std::string UriOf(const std::string& path) {
+  std::string uri = "file:";
+  for (const char c : path) {
+    if (c == '%' || c == '?' || c == '#') {
+      uri += fmt::format("%{:02x}", static_cast<unsigned>(c));
+    } else {
+      uri += c;
+    }
+  }
+  return uri;
+}
+
+/// What helps against a failing of the disk, by SQLite's code.
+std::string_view RemedyFor(int code) {
+  switch (code) {
+    case SQLITE_FULL:
+      return "make room on the disk, or save it as another file elsewhere";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return "check that the folder exists and that you may write there, or save it elsewhere";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "close the other program that writes into it, or save it as another file";
+    default:
+      return "check the disk, or save it as another file elsewhere";
+  }
+}
+
+}  // namespace
 
 void Statement::Finalizer::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
@@ -57,16 +104,49 @@ double Statement::Number(int column) const { return sqlite3_column_double(handle
 int64_t Statement::Integer(int column) const { return sqlite3_column_int64(handle_.get(), column); }
 
 Result<Database> Database::Open(const std::string& path, Mode mode) {
-  const int flags =
-      mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  constexpr int kWait_ms = 2000;
   Database database;
   database.path_ = path;
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &handle, flags, nullptr);
+  const std::string name = mode == Mode::kReadAlone ? UriOf(path) + "?immutable=1" : path;
+  const int code = sqlite3_open_v2(name.c_str(), &handle, FlagsOf(mode), nullptr);
   database.handle_.reset(handle);
   if (code != SQLITE_OK) return tl::unexpected<Error>(database.Failure());
+  sqlite3_busy_timeout(handle, kWait_ms);
   return database;
 }
+
+Result<Database> Database::CopyInMemory() {
+  auto copy = Open(":memory:", Mode::kCreate);
+  if (!copy) return copy;
+  sqlite3_backup* backup = sqlite3_backup_init(copy->handle_.get(), "main", handle_.get(), "main");
+  if (backup != nullptr) sqlite3_backup_step(backup, -1);  // -1: all pages
+  // Finishing reports what went wrong on the way.
+  if (backup == nullptr || sqlite3_backup_finish(backup) != SQLITE_OK) {
+    Error error = copy->Failure();
+    error.message = fmt::format("can't read {}: {}", path_, error.message);
+    return tl::unexpected<Error>(std::move(error));
+  }
+  return copy;
+}
+
+Result<int64_t> Database::Pragma(const std::string& name) {
+  auto statement = Prepare("PRAGMA " + name);
+  if (!statement) return Fail(statement);
+  const auto row = statement->Step();
+  if (!row) return Fail(row);
+  return statement->Integer(0);
+}
+
+Result<int> Database::Checkpoint() {
+  int in_log = 0;
+  const int code = sqlite3_wal_checkpoint_v2(handle_.get(), nullptr, SQLITE_CHECKPOINT_PASSIVE,
+                                             &in_log, nullptr);
+  if (code != SQLITE_OK) return tl::unexpected<Error>(Failure());
+  return in_log;
+}
+
+int64_t Database::last_row() const { return sqlite3_last_insert_rowid(handle_.get()); }
 
 Result<void> Database::Execute(const std::string& sql) {
   if (sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
@@ -86,7 +166,8 @@ Result<Statement> Database::Prepare(std::string_view sql) {
 
 Error Database::Failure() const {
   const char* reason = handle_ ? sqlite3_errmsg(handle_.get()) : "out of memory";
-  switch (handle_ ? sqlite3_errcode(handle_.get()) : SQLITE_NOMEM) {
+  const int code = handle_ ? sqlite3_errcode(handle_.get()) : SQLITE_NOMEM;
+  switch (code) {
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
     case SQLITE_READONLY:
@@ -96,7 +177,7 @@ Error Database::Failure() const {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {ErrorCode::kFile, fmt::format("can't use {}: {}", path_, reason),
-              "check that the folder exists, that you may write there and that the disk has room"};
+              std::string(RemedyFor(code))};
     default:
       return {ErrorCode::kDamagedFile, fmt::format("{} is not a whole document: {}", path_, reason),
               "open a copy of it from before it was damaged"};

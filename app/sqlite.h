@@ -47,13 +47,29 @@ class Statement {
 /// An open database file; closed when this goes.
 class Database {
  public:
-  enum class Mode { kRead, kCreate };
+  enum class Mode {
+    kRead,
+    kReadAlone,  ///< as kRead, where no other process writes and no file may be made beside it
+    kWrite,      ///< a file that is there
+    kCreate,     ///< made where it is missing
+  };
+  /// Waits up to 2 s for other connections that write.
   /// errors  kFile  it can't be opened or made;  kDamagedFile  not a database.
   static Result<Database> Open(const std::string& path, Mode mode);
+
+  /// A copy that can be changed and leaves nothing behind. errors  as Statement::Step.
+  Result<Database> CopyInMemory();
 
   /// Runs, or readies, statements of SQL. errors  as Statement::Step.
   Result<void> Execute(const std::string& sql);
   Result<Statement> Prepare(std::string_view sql);
+  /// The number that "PRAGMA name" gives.
+  Result<int64_t> Pragma(const std::string& name);
+
+  /// In WAL mode: what the log holds goes into the file itself, as far as no reader is in the way.
+  /// returns  pages that are in the log.
+  Result<int> Checkpoint();
+  int64_t last_row() const;  ///< id of the row inserted last
 
  private:
   friend class Statement;

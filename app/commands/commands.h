@@ -24,6 +24,7 @@ void AddSuggestCommand(CLI::App& app, Run* run);
 void AddDevicesCommand(CLI::App& app, Run* run);
 void AddRecordCommand(CLI::App& app, Run* run);
 void AddReplayCommand(CLI::App& app, Run* run);
+void AddReportCommand(CLI::App& app, Run* run);
 void AddQueryCommand(CLI::App& app, Run* run);
 void AddRenderCommand(CLI::App& app, Run* run);
 void AddExportCommand(CLI::App& app, Run* run);

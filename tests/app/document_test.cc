@@ -5,7 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "app/document_lock.h"
+#include "app/document_record.h"
 #include "app/sqlite.h"
 #include "base/text_file.h"
 #include "tests/support/program.h"
@@ -16,19 +23,33 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-Document Tower() {
-  Document document;
-  document.lots = *ParseLots("poly(0,0 12.3,0 12.3,9 4,11.1)");
-  document.trees = *grammar::ParseTrees("tree t { .Lot --> extrude(7.25) Mass }");
-  document.strokes = {{StrokeFrom("1,2 3,4"), Camera{}}};
-  document.history = {"lot poly(0,0 12.3,0 12.3,9 4,11.1)", "stroke 0", "pick 1 extrude"};
-  return document;
+/// Every part of a state, as it is in the file.
+std::map<std::string, std::string> PartsAsText(const SessionRecord& record) {
+  std::map<std::string, std::string> parts;
+  for (const auto& [name, text] : PartsOf(record)) parts[name] = *text;
+  return parts;
+}
+
+/// A session with something to undo, something to redo, and a stroke.
+Session Tower() {
+  Session session;
+  EXPECT_TRUE(session.Execute(*ParseCommand("lot poly(0,0 12.3,0 12.3,9 4,11.1)")));
+  EXPECT_TRUE(session.Execute(*ParseCommand("node .Lot --> extrude(7.25) Mass")));
+  EXPECT_TRUE(session.Execute(*ParseCommand("keep-view from \"the\" street")));
+  static_cast<void>(session.AddStroke(StrokeFrom("1,2 3,4")));  // means nothing: it stays as ink
+  EXPECT_TRUE(session.Execute(*ParseCommand("node .Mass --> comp(f) { all: Face }")));
+  EXPECT_TRUE(session.Execute(*ParseCommand("undo")));
+  return session;
+}
+
+void ExpectSame(const SessionRecord& a, const SessionRecord& b) {
+  EXPECT_EQ(PartsAsText(a), PartsAsText(b));
 }
 
 class DocumentTest : public ::testing::Test {
  protected:
   DocumentTest() : path_(tests::TestFolder() + "/tower.parti") {
-    EXPECT_TRUE(SaveDocument(Tower(), path_));
+    EXPECT_TRUE(SaveDocument(DocumentOf(Tower()), path_));
   }
   void Change(const std::string& sql) {
     auto database = Database::Open(path_, Database::Mode::kCreate);
@@ -47,24 +68,71 @@ class DocumentTest : public ::testing::Test {
 TEST_F(DocumentTest, ReopensAsItWas) {
   const auto opened = OpenDocument(path_);
   ASSERT_TRUE(opened) << FormatError(opened.error());
-  const Document saved = Tower();
-  ASSERT_THAT(opened->lots, SizeIs(1));
-  EXPECT_EQ(opened->lots[0].name, saved.lots[0].name);
-  EXPECT_EQ(opened->lots[0].origin, saved.lots[0].origin);
-  EXPECT_EQ(opened->lots[0].item.scope.origin, saved.lots[0].item.scope.origin);
-  EXPECT_EQ(opened->lots[0].item.scope.x, saved.lots[0].item.scope.x);
-  EXPECT_EQ(opened->lots[0].item.scope.size, saved.lots[0].item.scope.size);
-  EXPECT_EQ(*opened->lots[0].item.polygon, *saved.lots[0].item.polygon);
-  EXPECT_EQ(opened->trees, saved.trees);
-  EXPECT_EQ(opened->view, saved.view);
+  const Document saved = DocumentOf(Tower());
   EXPECT_EQ(opened->history, saved.history);
+  EXPECT_EQ(opened->span, saved.span);
   ASSERT_THAT(opened->strokes, SizeIs(1));
-  EXPECT_EQ(opened->strokes[0].stroke, saved.strokes[0].stroke);
+  EXPECT_EQ(opened->strokes[0]->stroke, saved.strokes[0]->stroke);
+  ASSERT_THAT(opened->states, SizeIs(saved.states.size()));
+  for (size_t i = 0; i < saved.states.size(); ++i) ExpectSame(opened->states[i], saved.states[i]);
+}
+
+TEST_F(DocumentTest, UndoAndRedoGoOnWhereTheyWere) {
+  auto session = SessionOf(*OpenDocument(path_), {});
+  ASSERT_TRUE(session);
+  const auto rules = [&] { return grammar::TextOf(session->state().model.trees()); };
+  const std::string now = rules();
+  EXPECT_TRUE(session->Execute(Redo{}));
+  EXPECT_THAT(rules(), HasSubstr("comp"));
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(session->Execute(Undo{})) << i;
+  EXPECT_THAT(session->state().model.lots(), SizeIs(0));
+  EXPECT_FALSE(session->Execute(Undo{}));
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(session->Execute(Redo{}));
+  EXPECT_EQ(rules(), now);
+  EXPECT_THAT(session->state().sketch.unread, SizeIs(1));
+}
+
+TEST_F(DocumentTest, ADocumentThatSomeoneHasOpenIsNotReplaced) {
+  const auto lock = DocumentLock::Take(path_);
+  ASSERT_TRUE(lock);
+  const auto saved = SaveDocument(DocumentOf(Tower()), path_);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr("is open in another Parti"));
+}
+
+TEST_F(DocumentTest, ALinkStaysALink) {
+  const std::string link = path_ + ".link";
+  ASSERT_EQ(::symlink(path_.c_str(), link.c_str()), 0);
+  std::remove((path_ + ".other").c_str());
+  ASSERT_TRUE(SaveDocument(DocumentOf(Session()), link));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_THAT(OpenDocument(path_)->history, SizeIs(0));
+}
+
+TEST_F(DocumentTest, ALogLeftByAKillDoesNotGetIntoTheDocumentThatTakesItsPlace) {
+  {
+    auto killed = Database::Open(path_, Database::Mode::kWrite);
+    ASSERT_TRUE(killed);
+    ASSERT_TRUE(
+        killed->Execute("PRAGMA journal_mode=WAL; INSERT INTO history(command) VALUES('x')"));
+    std::filesystem::copy_file(path_ + "-wal", path_ + ".wal");
+    std::filesystem::copy_file(path_, path_ + ".db");
+  }
+  std::filesystem::rename(path_ + ".db", path_);
+  std::filesystem::rename(path_ + ".wal", path_ + "-wal");
+  ASSERT_THAT(OpenDocument(path_)->history.back(), "x") << "the log is part of the old document";
+  ASSERT_TRUE(SaveDocument(DocumentOf(Tower()), path_));
+  EXPECT_EQ(OpenDocument(path_)->history, DocumentOf(Tower()).history);
+}
+
+TEST_F(DocumentTest, OneThatWasClosedProperlyCanBeReadWhereNothingCanBeWritten) {
+  const auto alone = Database::Open(path_, Database::Mode::kReadAlone);
+  ASSERT_TRUE(alone);
 }
 
 TEST_F(DocumentTest, SavingTheSameGivesTheSameBytesAndReplacesTheOldFile) {
   const auto before = ReadFile(path_);
-  ASSERT_TRUE(SaveDocument(Tower(), path_));
+  ASSERT_TRUE(SaveDocument(DocumentOf(Tower()), path_));
   EXPECT_EQ(*ReadFile(path_), *before);
 }
 
@@ -83,10 +151,13 @@ TEST_F(DocumentTest, ANewerFormatIsRefusedAndSaysWhatToDo) {
 
 TEST_F(DocumentTest, DamagedContentsAreRefusedAndNamed) {
   for (const char* sql :
-       {"DROP TABLE stroke", "UPDATE rules SET text = 'tree t { .Lot --> exrtude(3) }'",
-        "UPDATE lot SET item = '{'", "UPDATE lot SET source_origin = 'here'",
-        "UPDATE view SET camera = '{}'", "UPDATE stroke SET samples = x'00'"}) {
-    ASSERT_TRUE(SaveDocument(Tower(), path_));
+       {"DROP TABLE stroke", "UPDATE text SET body = 'tree t { .Lot --> exrtude(3) }'",
+        "UPDATE text SET body = '{'", "UPDATE text SET body = '[]'", "UPDATE text SET body = '[1]'",
+        "DELETE FROM text", "DELETE FROM part WHERE place = 1", "DELETE FROM present",
+        "UPDATE present SET place = 77", "DELETE FROM part WHERE name = 'view'",
+        "DELETE FROM stroke", "UPDATE stroke SET samples = x'00'",
+        "INSERT INTO posted(number, command, samples) VALUES(1, '', x'00')"}) {
+    ASSERT_TRUE(SaveDocument(DocumentOf(Tower()), path_));
     Change(sql);
     const Error error = Refused();
     EXPECT_EQ(error.code, ErrorCode::kDamagedFile) << sql;
@@ -112,7 +183,7 @@ TEST_F(DocumentTest, AFailedSaveLeavesTheOldDocument) {
   const std::string folder = path_ + ".folder";
   ASSERT_EQ(::mkdir(folder.c_str(), 0700), 0);
   ASSERT_TRUE(WriteFile(folder + "/x", "in the way"));
-  const auto saved = SaveDocument(Tower(), folder);
+  const auto saved = SaveDocument(DocumentOf(Tower()), folder);
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().code, ErrorCode::kFile);
   EXPECT_TRUE(ReadFile(folder + "/x"));

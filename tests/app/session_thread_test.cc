@@ -1,12 +1,17 @@
 // The session thread by what it promises: order, durability, a clean stop.
 #include "app/session_thread.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <cmath>
+
 #include "app/document.h"
 #include "app/document_drafts.h"
+#include "base/text_file.h"
+#include "input/drawing.h"
 #include "tests/support/program.h"
 
 namespace parti::app {
@@ -80,7 +85,7 @@ TEST_F(SessionThreadTest, ANewDocumentLivesAmongTheDraftsFromTheFirstCommandOn) 
   EXPECT_THAT(DraftsIn(options_.folders.data), ElementsAre(now->document.path));
   const auto kept = OpenDocument(now->document.path);
   ASSERT_TRUE(kept) << FormatError(kept.error());
-  EXPECT_THAT(kept->lots, SizeIs(1));
+  EXPECT_THAT(PresentOf(*kept).ground->lots, SizeIs(1));
 }
 
 TEST_F(SessionThreadTest, StoppingExecutesAndWritesWhatWasPosted) {
@@ -105,6 +110,101 @@ TEST_F(SessionThreadTest, AnUnknownFileIsSaidAndLeavesAnEmptyDocument) {
   ASSERT_TRUE(now->last_error);
   EXPECT_THAT(now->last_error->error.message, HasSubstr("missing.parti"));
   EXPECT_FALSE(now->document.named);
+}
+
+TEST_F(SessionThreadTest, ReopenedItIsAsItWasWithItsUndo) {
+  const std::string path = folder_ + "/house.parti";
+  std::string rules;
+  {
+    SessionThread thread(options_);
+    thread.Post(Line("lot rect(20,14)"));
+    thread.Post(Line("node .Lot --> extrude(12) Mass"));
+    thread.Post(DocumentRequest{Kind::kSaveAs, path});
+    thread.Post(Line("set distance 7"));
+    const auto now = Settled(&thread, thread.Post(Line("undo")));
+    rules = grammar::TextOf(now->state->model.trees());
+    EXPECT_TRUE(now->can_redo);
+  }
+  options_.path = path;
+  SessionThread thread(options_);
+  auto now = Settled(&thread, thread.Post(Line("take none")));
+  EXPECT_EQ(grammar::TextOf(now->state->model.trees()), rules);
+  EXPECT_EQ(now->document, (DocumentStatus{path, true}));
+  EXPECT_TRUE(now->can_redo);
+  now = Settled(&thread, thread.Post(Line("redo")));
+  EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(7)"));
+  EXPECT_FALSE(now->can_redo);
+}
+
+TEST_F(SessionThreadTest, WhatWasPostedButNotExecutedWhenTheProgramWasKilledIsDoneNow) {
+  options_.path = folder_ + "/house.parti";
+  Document document = DocumentOf(Session());
+  document.posted = {{"lot rect(20,14)"}, {"pick 9"}, {"node .Lot --> extrude(12) Mass"}};
+  ASSERT_TRUE(SaveDocument(document, options_.path));
+  {
+    SessionThread thread(options_);
+    const auto now = Settled(&thread, thread.Post(Line("set distance 7")));
+    EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(7)"));
+    ASSERT_TRUE(now->last_error) << "pick 9 can't be done, and says so";
+  }
+  const auto kept = OpenDocument(options_.path);
+  EXPECT_THAT(kept->posted, SizeIs(0));
+  EXPECT_THAT(kept->history, SizeIs(3));
+}
+
+TEST_F(SessionThreadTest, RequestsAfterOneAboutDocumentsBelongToTheNextDocument) {
+  const std::string first = folder_ + "/first.parti";
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  thread.Post(DocumentRequest{Kind::kSaveAs, first});
+  thread.Post(DocumentRequest{Kind::kNew});
+  for (int i = 0; i < 9; ++i) thread.Post(Line("lot rect(10,10)"));
+  Settled(&thread, thread.Post(DocumentRequest{Kind::kSaveAs, folder_ + "/second.parti"}));
+  EXPECT_THAT(OpenDocument(first)->history, SizeIs(1));
+  EXPECT_THAT(OpenDocument(first)->posted, SizeIs(0));
+  EXPECT_THAT(OpenDocument(folder_ + "/second.parti")->history, SizeIs(9));
+}
+
+TEST_F(SessionThreadTest, WhatIsNotANumberDoesNotGetIntoTheDocument) {
+  const double nan = std::nan("");
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  Stroke stroke = StrokeFrom("1,2 3,4 5,6");
+  stroke[1].position.x = nan;
+  stroke[2].pressure = nan;
+  stroke[2].t_s = -1;
+  thread.Post(stroke);
+  thread.Post(Stroke{{Vec2(nan, nan), nan}});
+  SetView wrong;
+  wrong.camera.eye.x = nan;
+  thread.Post(Command(wrong));
+  const auto now = Settled(&thread, thread.Post(Command(SetNumber{"distance", nan})));
+  const auto kept = OpenDocument(now->document.path);
+  ASSERT_TRUE(kept) << FormatError(kept.error());
+  ASSERT_THAT(kept->strokes, SizeIs(2));
+  EXPECT_THAT(kept->strokes[0]->stroke, SizeIs(2));
+}
+
+TEST_F(SessionThreadTest, ViewsThatOthersFollowAtOnceAreSkipped) {
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  for (int i = 0; i < 500; ++i) {
+    thread.Post(Line(fmt::format("view eye {} 14 40 target 10 5 7 fov 40 size 1600 1000", i)));
+  }
+  const auto now = Settled(&thread, thread.Post(Line("take none")));
+  EXPECT_EQ(now->state->camera.eye.x, 499);
+  EXPECT_THAT(OpenDocument(now->document.path)->history.size(), ::testing::Lt(450u));
+}
+
+TEST_F(SessionThreadTest, ASessionIsRecordedForAReport) {
+  const std::string pen = folder_ + "/report.pen";
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  thread.Post(StrokeFrom("1,2 3,4 500,300"));
+  Settled(&thread, thread.Post(DocumentRequest{Kind::kRecordForReport, pen}));
+  const auto reading = input::ReadDrawing(*ReadFile(pen));
+  EXPECT_FALSE(reading.damage);
+  EXPECT_THAT(reading.drawing.commands, SizeIs(1));
 }
 
 }  // namespace

@@ -178,15 +178,16 @@ TEST(HouseTest, SavedAndReopenedItIsTheSameDocument) {
   ASSERT_TRUE(app::SaveDocument(saved, path));
   const auto opened = app::OpenDocument(path);
   ASSERT_TRUE(opened) << FormatError(opened.error());
-  EXPECT_EQ(opened->trees, saved.trees);
+  const app::SessionRecord& present = app::PresentOf(*opened);
+  EXPECT_EQ(*present.rules, session.state().model.trees());
   EXPECT_EQ(opened->history, saved.history);
-  EXPECT_EQ(opened->view, saved.view);
+  EXPECT_EQ(present.camera, session.state().camera);
   ASSERT_EQ(opened->strokes.size(), saved.strokes.size());
   for (size_t i = 0; i < saved.strokes.size(); ++i) {
-    EXPECT_EQ(opened->strokes[i].stroke, saved.strokes[i].stroke);
-    EXPECT_EQ(opened->strokes[i].camera, saved.strokes[i].camera);
+    EXPECT_EQ(opened->strokes[i]->stroke, saved.strokes[i]->stroke);
+    EXPECT_EQ(opened->strokes[i]->camera, saved.strokes[i]->camera);
   }
-  const auto reopened = app::BuiltOn(opened->lots, opened->trees);
+  const auto reopened = app::BuiltOn(present.ground->lots, *present.rules);
   ASSERT_TRUE(reopened);
   EXPECT_EQ(Glb(*reopened), Glb(session.state().model)) << "the same building, to the byte";
   ASSERT_TRUE(app::SaveDocument(*opened, again));

@@ -1,0 +1,114 @@
+#include "app/document_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "app/document_migration.h"
+#include "app/document_record.h"
+#include "app/document_values.h"
+
+namespace parti::app {
+namespace {
+
+// The log goes into the file when it is larger: about SQLite's own default of 1000 pages.
+constexpr uintmax_t kLogIsLarge_bytes = uintmax_t{4} << 20;
+
+}  // namespace
+
+Result<DocumentFile> DocumentFile::Open(const std::string& path) {
+  auto lock = DocumentLock::Take(path);
+  if (!lock) return Fail(lock);
+  auto database = Database::Open(path, Database::Mode::kWrite);
+  if (!database) return Fail(database);
+  DocumentFile file(path, std::move(*lock), std::move(*database));
+  // FULL: a commit has reached the disk, not only the log. Checkpoints are made in Tidy().
+  auto done = file.database_.Execute(
+      "PRAGMA synchronous=FULL; PRAGMA journal_mode=WAL; PRAGMA wal_autocheckpoint=0");
+  if (done) done = Migrate(&file.database_, path);
+  if (!done) return Fail(done);
+  return file;
+}
+
+DocumentFile::~DocumentFile() {
+  // Another document at the same path has a log of the same name, which is not ours to remove.
+  if (!lock_.IsTaken() || !lock_.IsThere()) return;
+  // Where another process is reading, the log stays until the next time.
+  static_cast<void>(database_.Execute("PRAGMA journal_mode=DELETE"));
+}
+
+Result<Document> DocumentFile::Read() { return ReadTables(&database_, path_); }
+
+Result<void> DocumentFile::BeginLeftOver(const std::vector<PostedRequest>& posted) {
+  return InTransaction([&]() -> Result<void> {
+    auto done = database_.Execute(
+        "INSERT INTO laid_aside(command, samples)"
+        "  SELECT command, samples FROM posted WHERE begun >= 2;"
+        "DELETE FROM posted");
+    if (done) done = WritePosted(&database_, posted);
+    if (done) done = database_.Execute("UPDATE posted SET begun = begun + 1");
+    has_kept_ = true;
+    return done;
+  });
+}
+
+Result<void> DocumentFile::InTransaction(const std::function<Result<void>()>& work) {
+  auto done = database_.Execute("BEGIN IMMEDIATE");
+  if (!done) return done;
+  done = work();
+  if (done) done = database_.Execute("COMMIT");
+  // Some failures have rolled back already; then this one says so, and nobody needs to know.
+  if (!done) static_cast<void>(database_.Execute("ROLLBACK"));
+  return done;
+}
+
+Result<void> DocumentFile::Keep(const std::vector<KeptRequest>& requests) {
+  return InTransaction([&]() -> Result<void> {
+    has_kept_ = true;
+    for (const auto& [number, request] : requests) {
+      if (auto done = WritePosted(&database_, number, request); !done) return done;
+    }
+    return {};
+  });
+}
+
+Result<void> DocumentFile::Write(const DocumentChange& change) {
+  Result<void> done;
+  if (change.stroke) done = WriteStroke(&database_, *change.stroke);
+  if (done && change.stroke) {
+    done = WriteHistory(&database_, fmt::format("stroke {}", change.stroke->number));
+  }
+  if (done && !change.command.empty()) done = WriteHistory(&database_, change.command);
+  if (done && change.state) done = WriteState(&database_, change.span, PartsOf(*change.state));
+  return done;
+}
+
+Result<void> DocumentFile::Forget(int64_t last) {
+  if (!has_kept_) return {};
+  auto forget = database_.Prepare("DELETE FROM posted WHERE number <= ?");
+  if (!forget) return Fail(forget);
+  return forget->Bind(1, last).Run();
+}
+
+Result<void> DocumentFile::Apply(std::span<const DocumentChange> changes) {
+  const bool nothing = std::all_of(changes.begin(), changes.end(),
+                                   [](const DocumentChange& change) { return change.IsEmpty(); });
+  if (nothing && !has_kept_) return {};
+  return InTransaction([&]() -> Result<void> {
+    for (const DocumentChange& change : changes) {
+      if (auto written = Write(change); !written) return written;
+    }
+    return Forget(changes.back().number);
+  });
+}
+
+Result<void> DocumentFile::Tidy() {
+  std::error_code code;
+  if (std::filesystem::file_size(path_ + "-wal", code) < kLogIsLarge_bytes || code) return {};
+  const auto emptied = database_.Checkpoint();
+  return emptied ? Result<void>() : Fail(emptied);
+}
+
+}  // namespace parti::app

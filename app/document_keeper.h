@@ -1,0 +1,79 @@
+// The open document and its fortunes: a draft that gets a name, a file that someone else has open,
+// a disk that is full. Nothing is lost: what the file can't take is kept here until it can, or
+// until another file takes everything.
+// Knows nothing of threads (document_thread.h) nor of what changes mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document_file.h"
+#include "app/session_snapshot.h"
+#include "app/user_folders.h"
+
+namespace parti::app {
+
+/// Not thread-safe. What goes wrong with writing is in status(), and tried again with each call.
+class DocumentKeeper {
+ public:
+  explicit DocumentKeeper(UserFolders folders);
+
+  const DocumentStatus& status() const { return status_; }
+  /// What was done up to this number is on the disk.
+  int64_t acknowledged() const { return acknowledged_; }
+
+  /// A new document without a name, which is `start` now. It gets a file, a draft, with the first
+  /// change.
+  /// errors  kFile  changes of the open document are not on the disk, and `give_up` is false.
+  Result<void> New(Document start, bool give_up);
+
+  /// Opens a document, read-only where another process has it or where it can't be written;
+  /// status() says why. Where this fails, what was open stays open. errors  those of OpenDocument;
+  /// kFile as New.
+  Result<Document> Open(const std::string& path, bool give_up);
+
+  /// Writes everything to `path`, also what could not be written so far, and goes on there. A draft
+  /// goes away. Where this fails, what was open stays open.
+  /// in_memory  what the session knows, for where the open file can't be read any more.
+  /// errors  those of SaveDocument.
+  Result<void> SaveAs(const std::string& path, Document in_memory);
+
+  /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
+  Document Everything(Document in_memory);
+
+  /// Keeps requests that are not executed yet; they are not in `status().unwritten`.
+  void Keep(const std::vector<KeptRequest>& requests);
+
+  /// Writes changes, in one transaction with those that could not be written before.
+  void Apply(std::vector<DocumentChange> changes);
+
+  /// Tries once more to write what could not be written.
+  void TryAgain();
+
+  /// Does what can be done when nobody waits for an acknowledgement.
+  void Tidy();
+
+ private:
+  Result<void> MayLeave(bool give_up) const;
+  Result<void> MakeDraft();
+  Result<void> Write();
+  Result<void> WriteInto(const std::string& path, Document document);
+  void CountUnwritten();
+  void GoOnIn(const std::string& path, Result<DocumentFile> file, Document document);
+  void Note(const Result<void>& done);
+  void DropOldStates();
+
+  UserFolders folders_;
+  DocumentStatus status_;
+  int64_t acknowledged_ = 0;
+  std::optional<DocumentFile> file_;
+  /// The document as it was before `unwritten_`, where there is no file to read it from.
+  Document start_;
+  std::vector<DocumentChange> unwritten_;
+};
+
+/// Makes a change to a document in memory.
+void ApplyTo(const DocumentChange& change, Document* document);
+
+}  // namespace parti::app

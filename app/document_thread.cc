@@ -1,0 +1,106 @@
+#include "app/document_thread.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace parti::app {
+namespace {
+
+// How often writing is tried again where it failed.
+constexpr auto kTryAgain = std::chrono::seconds(2);
+// Changes that one transaction takes at most: the others need not wait for a long one.
+constexpr size_t kMostChanges = 64;
+
+/// What is kept of a request before it is executed; nothing for one that only looks.
+std::optional<PostedRequest> Kept(const SessionRequest& request) {
+  if (const auto* stroke = std::get_if<Stroke>(&request)) return PostedRequest{"", *stroke};
+  const auto* command = std::get_if<Command>(&request);
+  if (command == nullptr || std::holds_alternative<SetView>(*command)) return std::nullopt;
+  return PostedRequest{TextOf(*command), {}};
+}
+
+}  // namespace
+
+DocumentThread::DocumentThread(UserFolders folders, News news)
+    : news_(std::move(news)), keeper_(std::move(folders)), thread_([this] { Work(); }) {}
+
+DocumentThread::~DocumentThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    given_.notify_one();
+  }
+  thread_.join();
+}
+
+void DocumentThread::Posted(int64_t number, std::shared_ptr<const SessionRequest> request) {
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back({number, std::move(request)});
+  given_.notify_one();
+}
+
+void DocumentThread::Executed(DocumentChange change) {
+  const std::lock_guard lock(mutex_);
+  while (!waiting_.empty() && waiting_.front().number <= change.number) waiting_.pop_front();
+  changes_.push_back(std::move(change));
+  given_.notify_one();
+}
+
+void DocumentThread::Add(Call call) {
+  const std::lock_guard lock(mutex_);
+  calls_.push_back(std::move(call));
+  given_.notify_one();
+}
+
+bool DocumentThread::HasWork() const {
+  const bool may_keep =
+      !waiting_.empty() && !std::holds_alternative<DocumentRequest>(*waiting_.front().request);
+  return stop_ || may_keep || !changes_.empty() || !calls_.empty();
+}
+
+/// Requests up to the next one about documents.
+std::vector<KeptRequest> DocumentThread::TakeRequests() {
+  std::vector<KeptRequest> requests;
+  while (!waiting_.empty()) {
+    const auto& [number, request] = waiting_.front();
+    if (std::holds_alternative<DocumentRequest>(*request)) break;
+    if (auto kept = Kept(*request)) requests.push_back({number, std::move(*kept)});
+    waiting_.pop_front();
+  }
+  return requests;
+}
+
+DocumentThread::Batch DocumentThread::Next() {
+  std::unique_lock lock(mutex_);
+  given_.wait_for(lock, kTryAgain, [this] { return HasWork(); });
+  Batch batch;
+  const auto end =
+      changes_.begin() + static_cast<std::ptrdiff_t>(std::min(changes_.size(), kMostChanges));
+  std::move(changes_.begin(), end, std::back_inserter(batch.changes));
+  changes_.erase(changes_.begin(), end);
+  if (!changes_.empty()) return batch;
+  if (!calls_.empty()) {
+    batch.call = std::move(calls_.front());
+    calls_.pop_front();
+  } else {
+    batch.requests = TakeRequests();
+    batch.stop = stop_ && batch.requests.empty();
+  }
+  return batch;
+}
+
+void DocumentThread::Work() {
+  while (true) {
+    Batch batch = Next();
+    const bool idle = batch.changes.empty() && batch.requests.empty() && !batch.call;
+    if (!batch.changes.empty()) keeper_.Apply(std::move(batch.changes));
+    if (!batch.requests.empty()) keeper_.Keep(batch.requests);
+    if (batch.call) batch.call(keeper_);
+    if (idle) keeper_.TryAgain();
+    news_(keeper_.status(), keeper_.acknowledged());
+    keeper_.Tidy();
+    if (batch.stop) return;
+  }
+}
+
+}  // namespace parti::app

@@ -1,0 +1,79 @@
+// The thread that writes: takes changes from the session's thread and keeps requests that wait for
+// it, so that what was drawn is on the disk even while a long derivation runs.
+// What is written, and what happens when it can't be, is document_keeper.h's.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/document_keeper.h"
+
+namespace parti::app {
+
+/// Changes that wait while one commit runs become one transaction.
+class DocumentThread {
+ public:
+  /// Called on the document's thread after each write, with what is on the disk now.
+  using News = std::function<void(const DocumentStatus&, int64_t acknowledged)>;
+
+  DocumentThread(UserFolders folders, News news);
+  ~DocumentThread();  ///< writes what was given, then closes the document
+  DocumentThread(const DocumentThread&) = delete;
+  DocumentThread& operator=(const DocumentThread&) = delete;
+
+  /// A request that was posted and waits to be executed. Those after a request that changes
+  /// documents belong to another one: they are kept when that is done. Doesn't block; any thread.
+  void Posted(int64_t number, std::shared_ptr<const SessionRequest> request);
+
+  /// What an executed request did; in order. Doesn't block.
+  void Executed(DocumentChange change);
+
+  /// Runs `work` with the keeper after everything that was given so far, and waits for it.
+  template <typename Work>
+  auto Run(Work work) -> std::invoke_result_t<Work, DocumentKeeper&> {
+    std::packaged_task<std::invoke_result_t<Work, DocumentKeeper&>(DocumentKeeper&)> task(
+        std::move(work));
+    auto result = task.get_future();
+    Add([&task](DocumentKeeper& keeper) { task(keeper); });
+    return result.get();
+  }
+
+ private:
+  using Call = std::function<void(DocumentKeeper&)>;
+  struct Waiting {
+    int64_t number = 0;
+    std::shared_ptr<const SessionRequest> request;
+  };
+  struct Batch {
+    std::vector<DocumentChange> changes;
+    std::vector<KeptRequest> requests;
+    Call call;
+    bool stop = false;
+  };
+
+  void Add(Call call);
+  void Work();
+  Batch Next();
+  bool HasWork() const;
+  std::vector<KeptRequest> TakeRequests();
+
+  const News news_;
+  DocumentKeeper keeper_;  // the thread's own
+
+  std::mutex mutex_;  // held to move values, never longer; guards:
+  std::condition_variable given_;
+  std::deque<DocumentChange> changes_;
+  std::deque<Call> calls_;  // each after all changes
+  std::deque<Waiting> waiting_;
+  bool stop_ = false;
+
+  std::thread thread_;
+};
+
+}  // namespace parti::app
