@@ -33,11 +33,11 @@ void BindTexture(const Gl& gl, const GlProgram& program, int unit, const char* n
 
 }  // namespace
 
-Canvas::Canvas(const Gl& gl, const glm::ivec2& size, GlProgram compose, UiLayer panels,
+Canvas::Canvas(const Gl& gl, const glm::ivec2& size, Programs programs, UiLayer panels,
                Layers layers)
     : gl_(&gl),
       size_(size),
-      compose_(std::move(compose)),
+      programs_(std::move(programs)),
       full_screen_(gl),
       panels_(std::move(panels)),
       layers_(std::move(layers)),
@@ -61,14 +61,16 @@ Result<Canvas::Layers> Canvas::CreateLayers(const Gl& gl, const glm::ivec2& size
 }
 
 Result<std::unique_ptr<Canvas>> Canvas::Create(const Gl& gl, const glm::ivec2& size) {
-  Result<GlProgram> compose = GlProgram::Create(gl, "full_screen", "compose");
-  if (!compose) return Fail(compose);
+  Result<GlProgram> picture = GlProgram::Create(gl, "full_screen", "picture");
+  if (!picture) return Fail(picture);
+  Result<GlProgram> with_ink = GlProgram::Create(gl, "full_screen", "picture_and_ink");
+  if (!with_ink) return Fail(with_ink);
   Result<UiLayer> panels = UiLayer::Create(gl);
   if (!panels) return Fail(panels);
   Result<Layers> layers = CreateLayers(gl, size);
   if (!layers) return Fail(layers);
-  return std::unique_ptr<Canvas>(
-      new Canvas(gl, size, std::move(*compose), std::move(*panels), std::move(*layers)));
+  return std::unique_ptr<Canvas>(new Canvas(gl, size, {std::move(*picture), std::move(*with_ink)},
+                                            std::move(*panels), std::move(*layers)));
 }
 
 Result<void> Canvas::Resize(const glm::ivec2& size) {
@@ -176,28 +178,40 @@ Result<Damage> Canvas::Draw(GLuint framebuffer, int age) {
 
 void Canvas::Compose(const Damage& repair, GLuint framebuffer) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  compose_.Use();
-  BindComposed();
-  for (const PixelRect& rect : repair.rects()) {
+  const auto draw = [this](const PixelRect& rect) {
     SetScissor(*gl_, rect, size_.y);
     full_screen_.Draw();
+  };
+  const Damage inked = Common(repair, layers_.ink.extent());
+  if (inked.area() < repair.area()) {
+    BindPicture(programs_.picture);
+    for (const PixelRect& rect : repair.rects()) draw(rect);
   }
+  if (inked.empty()) return;
+  BindPicture(programs_.picture_and_ink);
+  BindInk();
+  for (const PixelRect& rect : inked.rects()) draw(rect);
 }
 
-void Canvas::BindComposed() const {
-  BindTexture(*gl_, compose_, 1, "settled", layers_.ink.settled());
-  BindTexture(*gl_, compose_, 2, "coverage", layers_.ink.coverage());
-  BindTexture(*gl_, compose_, 3, "tail", layers_.ink.tail());
+void Canvas::BindPicture(const GlProgram& program) const {
+  program.Use();
   // Without a picture any texture will do: no pixel lies in it.
   const bool has_picture = picture_.texture != 0;
-  BindTexture(*gl_, compose_, 0, "picture", has_picture ? picture_.texture : layers_.ink.settled());
+  BindTexture(*gl_, program, 0, "picture", has_picture ? picture_.texture : layers_.ink.settled());
   const GLint filter = has_picture && !IsExact(picture_) ? GL_LINEAR : GL_NEAREST;
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  compose_.Set("picture_from_view",
-               has_picture ? TextureFromFragment(picture_, size_.y) : glm::mat3(0));
-  compose_.Set("paper", paper_);
-  compose_.Set("live_ink", layers_.ink.color());
+  program.Set("picture_from_view",
+              has_picture ? TextureFromFragment(picture_, size_.y) : glm::mat3(0));
+  program.Set("paper", paper_);
+}
+
+void Canvas::BindInk() const {
+  const GlProgram& program = programs_.picture_and_ink;
+  BindTexture(*gl_, program, 1, "settled", layers_.ink.settled());
+  BindTexture(*gl_, program, 2, "coverage", layers_.ink.coverage());
+  BindTexture(*gl_, program, 3, "tail", layers_.ink.tail());
+  program.Set("live_ink", layers_.ink.color());
 }
 
 void Canvas::ReleaseRetired() {

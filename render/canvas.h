@@ -83,20 +83,24 @@ class Canvas {
     std::shared_ptr<const void> keep;
     GLsync drawn = nullptr;  ///< signalled once no frame reads it
   };
+  struct Programs {
+    GlProgram picture, picture_and_ink;
+  };
   struct Layers {
     InkLayer ink;
     MarkLayer marks;
   };
-  Canvas(const Gl& gl, const glm::ivec2& size, GlProgram compose, UiLayer panels, Layers layers);
+  Canvas(const Gl& gl, const glm::ivec2& size, Programs programs, UiLayer panels, Layers layers);
   static Result<Layers> CreateLayers(const Gl& gl, const glm::ivec2& size);
   void SetMarks(std::vector<Mark> marks, std::vector<Mark>* held, std::vector<MarkGroup>* groups);
   void Compose(const Damage& repair, GLuint framebuffer) const;
-  void BindComposed() const;
+  void BindPicture(const GlProgram& program) const;
+  void BindInk() const;
   void ReleaseRetired();
 
   const Gl* gl_;
   glm::ivec2 size_;
-  GlProgram compose_;
+  Programs programs_;
   FullScreenTriangle full_screen_;
   UiLayer panels_;
   Layers layers_;

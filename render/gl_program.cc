@@ -15,6 +15,7 @@ Result<GLuint> Compile(const Gl& gl, GLenum kind, const std::string& file) {
   std::string text = gl.is_gles ? kGlesHead : kCoreHead;
   text += ShaderText("light.glsl");
   if (file == "face.vert" || file == "id.vert") text += ShaderText("place.glsl");
+  if (file.starts_with("picture")) text += ShaderText("picture.glsl");
   text.append("#line 1\n").append(ShaderText(file));
   const char* source = text.c_str();
   const GLuint shader = gl.CreateShader(kind);

@@ -14,6 +14,7 @@ InkLayer::InkLayer(const Gl& gl, const glm::ivec2& size, Programs programs, GlFr
       settled_(std::move(settled)),
       coverage_(std::move(coverage)),
       tail_(std::move(tail)),
+      extent_(size),
       group_extent_(size),
       tail_extent_(size) {}
 
@@ -47,7 +48,11 @@ void InkLayer::Update(const InkStrokes& strokes, const InkNews& news) {
   gl_->Enable(GL_SCISSOR_TEST);
   for (const InkGroupPieces& fresh : news.fresh) DrawFresh(fresh);
   for (const PixelRect& rect : news.rebuild.rects()) Rebuild(strokes, rect);
-  if (!news.rebuild.empty()) group_extent_ = strokes.LastGroupExtent();
+  if (!news.rebuild.empty()) {
+    group_extent_ = strokes.LastGroupExtent();
+    extent_ = strokes.Extent();
+    extent_.Add(tail_extent_);
+  }
   if (news.tail_changed) UpdateTail(strokes.tail());
   gl_->Disable(GL_SCISSOR_TEST);
   gl_->Disable(GL_BLEND);
@@ -57,6 +62,7 @@ void InkLayer::DrawFresh(const InkGroupPieces& fresh) {
   if (fresh.color != color_) SettleGroup();
   color_ = fresh.color;
   for (const InkPiece& piece : fresh.pieces) group_extent_.Add(PixelsOf(piece, size_));
+  extent_.Add(group_extent_);
   SetScissor(*gl_, {0, 0, size_.x, size_.y}, size_.y);
   DrawCoverage(coverage_, fresh.pieces);
 }
@@ -116,6 +122,7 @@ void InkLayer::UpdateTail(const std::vector<InkPiece>& tail) {
   for (const PixelRect& rect : tail_extent_.rects()) Clear(tail_, rect);
   tail_extent_.Clear();
   for (const InkPiece& piece : tail) tail_extent_.Add(PixelsOf(piece, size_));
+  extent_.Add(tail_extent_);
   SetScissor(*gl_, {0, 0, size_.x, size_.y}, size_.y);
   DrawCoverage(tail_, tail);
 }

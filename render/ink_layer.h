@@ -24,7 +24,9 @@ class InkLayer {
   GLuint settled() const { return settled_.color_texture(); }
   GLuint coverage() const { return coverage_.color_texture(); }  ///< of color()
   GLuint tail() const { return tail_.color_texture(); }          ///< of color() too
-  const Vec4f& color() const { return color_; }                  ///< sRGB, alpha
+  /// There is no ink elsewhere.
+  const Damage& extent() const { return extent_; }
+  const Vec4f& color() const { return color_; }  ///< sRGB, alpha
 
  private:
   struct Programs {
@@ -47,7 +49,8 @@ class InkLayer {
   PieceBatch batch_;
   GlFramebuffer settled_, coverage_, tail_;
   Vec4f color_{0, 0, 0, 1};  ///< of the last group
-  Damage group_extent_;
+  Damage extent_;            ///< of all ink
+  Damage group_extent_;      ///< of the last group
   Damage tail_extent_;
 };
 

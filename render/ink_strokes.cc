@@ -178,6 +178,12 @@ std::vector<InkGroupPieces> InkStrokes::PiecesIn(const PixelRect& rect) const {
   return groups;
 }
 
+Damage InkStrokes::Extent() const {
+  Damage extent(size_);
+  for (const Held& stroke : strokes_) extent.Add(stroke.pixels);
+  return extent;
+}
+
 Damage InkStrokes::LastGroupExtent() const {
   Damage extent(size_);
   const std::vector<Vec4f> colors = GroupColors();

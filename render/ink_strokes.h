@@ -68,7 +68,8 @@ class InkStrokes {
   /// The pieces that touch rect, group by group, from first to last; the tail is not among them.
   /// O(strokes) and the samples of those that touch it.
   std::vector<InkGroupPieces> PiecesIn(const PixelRect& rect) const;
-  /// Where strokes of the last group lie.
+  /// Where all strokes lie, and those of the last group.
+  Damage Extent() const;
   Damage LastGroupExtent() const;
 
  private:

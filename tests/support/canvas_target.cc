@@ -23,6 +23,7 @@ std::unique_ptr<CanvasTarget> CanvasTarget::Create(OffscreenTarget target, const
 }
 
 CanvasTarget::~CanvasTarget() {
+  (void)context_->MakeCurrent();  // another may be
   canvas_.reset();
   buffers_.clear();
   whole_.reset();
