@@ -150,7 +150,7 @@ Result<void> DocumentKeeper::Write() {
   if (!file_ || !file_->IsThere()) return tl::unexpected<Error>(Vanished(status_.path));
   if (auto done = file_->Apply(unwritten_); !done) return done;
   if (!file_->IsThere()) return tl::unexpected<Error>(Vanished(status_.path));
-  acknowledged_ = unwritten_.back().number;
+  Acknowledge(unwritten_.back().number);
   unwritten_.clear();
   return {};
 }
@@ -158,6 +158,11 @@ Result<void> DocumentKeeper::Write() {
 void DocumentKeeper::Note(const Result<void>& done) {
   status_.trouble = done ? std::nullopt : std::optional(done.error());
   CountUnwritten();
+}
+
+/// What a kill left over has numbers up to 0, whenever it is done.
+void DocumentKeeper::Acknowledge(int64_t number) {
+  acknowledged_ = std::max(acknowledged_, number);
 }
 
 void DocumentKeeper::CountUnwritten() {
@@ -180,7 +185,7 @@ void DocumentKeeper::Apply(std::vector<DocumentChange> changes) {
   const bool nothing = std::all_of(changes.begin(), changes.end(),
                                    [](const DocumentChange& change) { return change.IsEmpty(); });
   if (nothing && unwritten_.empty() && !file_) {
-    acknowledged_ = changes.back().number;
+    Acknowledge(changes.back().number);
     return;
   }
   std::move(changes.begin(), changes.end(), std::back_inserter(unwritten_));

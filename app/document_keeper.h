@@ -60,6 +60,7 @@ class DocumentKeeper {
   Result<void> Write();
   Result<void> WriteInto(const std::string& path, Document document);
   void CountUnwritten();
+  void Acknowledge(int64_t number);
   void GoOnIn(const std::string& path, Result<DocumentFile> file, Document document);
   void Note(const Result<void>& done);
   void DropOldStates();

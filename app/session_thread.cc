@@ -68,6 +68,8 @@ class SessionThread::Impl {
     document_.emplace(options_.folders, [this](const DocumentStatus& status, int64_t acknowledged) {
       TakeNews(status, acknowledged);
     });
+    // What is posted belongs to the document that is opened first, and waits for it.
+    document_->Posted(0, std::make_shared<const SessionRequest>(DocumentRequest{}));
     PublishState();
     thread_ = std::thread([this] { Work(); });
   }
@@ -115,6 +117,7 @@ class SessionThread::Impl {
       const auto opened = Open({DocumentRequest::Kind::kOpen, options_.path});
       if (!opened) Note(0, opened.error());
     }
+    document_->Executed({});
     PublishState();
     while (auto request = Next()) {
       auto done = request->moot ? Result<void>() : Do(*request);
