@@ -173,10 +173,11 @@ void Hands::FeedDrag(const input::PenDrag& drag, const OverPanel& over_panel,
 
 void Hands::Drag(const DragAct& act, std::vector<Act>* acts) {
   DragAct sent = act;
+  sent.px_per_mm = DeviceOf(act.device).mapping.px_per_mm();
   if (act.phase == DragPhase::kBegin) {
     if (hovering_) acts->push_back(HoverEndAct{});
     hovering_ = false;
-    drags_[act.device] = act;
+    drags_[act.device] = sent;
   } else {
     const auto begun = drags_.find(act.device);
     if (begun == drags_.end()) return;

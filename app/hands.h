@@ -28,6 +28,7 @@ struct DragAct {
   Vec2 px{0, 0};
   double t_s = 0;
   std::optional<double> pressure = {};
+  double px_per_mm = 4;  ///< of the device in the view, > 0
 
   bool operator==(const DragAct&) const = default;
 };

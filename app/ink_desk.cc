@@ -13,6 +13,7 @@ std::optional<Vec2> InkDesk::Draw(const DragAct& drag, double scale) {
     case DragPhase::kBegin:
       id_ = book_.NewId();
       stroke_.clear();
+      predictor_.Begin();
       canvas_->BeginStroke(id_, DrawingStyle().ink);
       Add(drag);
       return std::nullopt;
@@ -35,6 +36,11 @@ void InkDesk::Add(const DragAct& drag) {
   const render::Vec2f point(drag.px);
   const float width_px = InkWidth_px(drag.pressure);
   canvas_->AddSamples({&point, 1}, {&width_px, 1});
+  predictor_.Add(drag.px / drag.px_per_mm, t_s);
+  if (const auto ahead_mm = predictor_.Predict(params_.ahead_s)) {
+    const render::Vec2f ahead(*ahead_mm * drag.px_per_mm);
+    canvas_->SetPrediction({&ahead, 1}, {&width_px, 1});
+  }
 }
 
 std::optional<Vec2> InkDesk::EndStroke(const DragAct& drag, double scale) {

@@ -9,15 +9,17 @@
 #include "app/hands.h"
 #include "app/ink_book.h"
 #include "app/session_snapshot.h"
+#include "input/stroke_predictor.h"
 #include "render/canvas.h"
 
 namespace parti::app {
 
 /// The numbers of drawing and erasing on the screen.
 struct InkDeskParams {
-  double tap_px = 6;      ///< a pen that stays within this only taps, at scale 1, [1, 30]
-  double tap_s = 0.35;    ///< and lifts again within this, [0.1, 1]
-  double eraser_px = 10;  ///< radius of the eraser, at scale 1, [2, 60]
+  double tap_px = 6;       ///< a pen that stays within this only taps, at scale 1, [1, 30]
+  double tap_s = 0.35;     ///< and lifts again within this, [0.1, 1]
+  double ahead_s = 0.012;  ///< how far ahead ink is drawn: about a frame, [0, 0.03]
+  double eraser_px = 10;   ///< radius of the eraser, at scale 1, [2, 60]
 };
 
 /// Posts to the session; gives the request's number.
@@ -53,6 +55,7 @@ class InkDesk {
   InkBook book_;
   Stroke stroke_;  // being drawn
   uint64_t id_ = 0;
+  input::StrokePredictor predictor_;
   Vec2 erased_to_px_{0, 0};
   uint64_t erase_request_ = 0;
   uint64_t last_request_ = 0, executed_ = 0;

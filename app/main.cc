@@ -8,9 +8,10 @@
 int main(int argc, char** argv) {
   using namespace parti::app;
   CLI::App app("Parti: draw a building, get the rules", "parti");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", "parti 0.1.0");
   Run run;
+  AddOpenCommand(app, &run);
   AddSegmentCommand(app, &run);
   AddSuggestCommand(app, &run);
   AddDevicesCommand(app, &run);

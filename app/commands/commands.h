@@ -18,6 +18,8 @@ using Run = std::function<int()>;
 /// Prints an error to standard error in the house's form; returns kFailed.
 int Report(const Error& error);
 
+/// What runs where no command is named: the application.
+void AddOpenCommand(CLI::App& app, Run* run);
 /// Each adds its command to the command line; when it is chosen, *run is set.
 void AddSegmentCommand(CLI::App& app, Run* run);
 void AddSuggestCommand(CLI::App& app, Run* run);

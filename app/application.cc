@@ -1,0 +1,419 @@
+#include "app/application.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/picking.h"
+#include "app/view_request.h"
+#include "render/gl_framebuffer.h"
+#include "render/read_image.h"
+
+namespace parti::app {
+namespace {
+
+using input::DragPhase;
+using input::PenAct;
+
+constexpr double kRest_s = 0.3;  ///< after which a wheel is taken to have stopped
+
+double Now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+PenAct ActOf(PointerMode mode) {
+  switch (mode) {
+    case PointerMode::kDraw:
+      return PenAct::kDraw;
+    case PointerMode::kErase:
+      return PenAct::kErase;
+    case PointerMode::kSelect:
+      return PenAct::kSelect;
+    case PointerMode::kOrbit:
+      return PenAct::kOrbit;
+    case PointerMode::kPan:
+      return PenAct::kPan;
+    case PointerMode::kZoom:
+      return PenAct::kZoom;
+  }
+  return PenAct::kDraw;
+}
+
+}  // namespace
+
+Application::Application(Display* display, SessionThread* session, ApplicationOptions options)
+    : display_(display),
+      session_(session),
+      options_(std::move(options)),
+      settings_(options_.settings),
+      keeper_([path = options_.settings_path](const Settings& settings) -> Result<void> {
+        if (path.empty()) return {};
+        return WriteSettings(settings, path);
+      }),
+      snapshot_(session->Newest()) {}
+
+Application::~Application() {
+  // What is drawn with a context goes while it is current.
+  static_cast<void>(display_->context().MakeCurrent());
+  ink_.reset();
+  picture_.reset();
+  canvas_.reset();
+}
+
+Result<std::unique_ptr<Application>> Application::Create(Display* display, SessionThread* session,
+                                                         ApplicationOptions options) {
+  auto application =
+      std::unique_ptr<Application>(new Application(display, session, std::move(options)));
+  if (auto started = application->Start(); !started) return Fail(started);
+  return application;
+}
+
+Result<void> Application::Start() {
+  auto shared = display_->CreateSharedContext();
+  if (!shared) return Fail(shared);
+  if (auto current = display_->context().MakeCurrent(); !current) return current;
+  auto canvas = render::Canvas::Create(display_->gl(), display_->size_px());
+  if (!canvas) return Fail(canvas);
+  canvas_ = std::move(*canvas);
+  auto picture = ModelPicture::Create(std::move(*shared));
+  if (!picture) return Fail(picture);
+  picture_ = std::move(*picture);
+  auto panels = Panels::Create();
+  if (!panels) return Fail(panels);
+  panels_ = std::move(*panels);
+  ink_ = std::make_unique<InkDesk>(canvas_.get(),
+                                   [this](SessionRequest r) { return Post(std::move(r)); });
+  folders_.Ask("");
+  SettingsChanged();
+  told_ = snapshot_->state->camera;
+  looking_.Set(told_);
+  Resized();
+  RunPanels({});
+  return {};
+}
+
+Result<void> Application::Turn(double wait_s, std::span<const int> also) {
+  Wait(wait_s, also);
+  auto news = display_->Dispatch();
+  if (!news) return Fail(news);
+  if (auto current = display_->context().MakeCurrent(); !current) return current;
+  news->input.insert(news->input.end(), fed_.begin(), fed_.end());
+  fed_.clear();
+  Take(*news);
+  TakeSnapshot();
+  if (folders_.ready().Clear()) panels_stale_ = true;
+  picture_->Update(canvas_.get());
+  if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
+  // While a line is being drawn, panels have stepped aside and wait.
+  if (!panel_events_.empty() || (panels_stale_ && !ink_->drawing())) RunPanels({});
+  return DrawFrame();
+}
+
+bool Application::Settled() const {
+  return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
+         !canvas_->NeedsDraw() && !sync_at_s_ && !(panels_stale_ && !ink_->drawing()) &&
+         !display_->HasNews() && fed_.empty() && !folders_.busy();
+}
+
+void Application::Wait(double wait_s, std::span<const int> also) const {
+  if (display_->HasNews() || !fed_.empty() || (canvas_->NeedsDraw() && display_->CanDraw()))
+    wait_s = 0;
+  if (sync_at_s_) wait_s = std::min(wait_s, std::max(0.0, *sync_at_s_ - Now_s()));
+  std::vector<pollfd> fds;
+  for (const int fd : display_->fds()) fds.push_back({fd, POLLIN, 0});
+  for (const int fd : picture_->fds()) fds.push_back({fd, POLLIN, 0});
+  fds.push_back({session_->ready().fd(), POLLIN, 0});
+  fds.push_back({folders_.ready().fd(), POLLIN, 0});
+  for (const int fd : also) fds.push_back({fd, POLLIN, 0});
+  poll(fds.data(), fds.size(), static_cast<int>(std::ceil(wait_s * 1000)));
+}
+
+void Application::Take(const DisplayNews& news) {
+  close_asked_ |= news.close_asked;
+  if (news.resized) Resized();
+  if (news.exposed || news.shown) canvas_->DamageAll();
+  for (const InputEvent& event : news.input) {
+    TakeAll(hands_.Feed(event, [this](const Vec2& px) { return OverPanel(px); }));
+    if (std::holds_alternative<DeviceEvent>(event)) panels_stale_ = true;
+  }
+  if (news.hidden) TakeAll(hands_.CancelAll());
+}
+
+void Application::TakeAll(const std::vector<Act>& acts) {
+  for (const Act& act : acts) {
+    std::visit([this](const auto& a) { Take(a); }, act);
+  }
+}
+
+void Application::TakeSnapshot() {
+  session_->ready().Clear();
+  auto newest = session_->Newest();
+  if (newest == snapshot_) return;
+  const bool other_view = !(newest->state->camera == snapshot_->state->camera);
+  snapshot_ = std::move(newest);
+  if (options_.on_snapshot) options_.on_snapshot(*snapshot_);
+  // A bookmark, an opened document: the session looks from elsewhere, and nobody has moved since.
+  if (other_view && snapshot_->executed >= posted_ && !looking_.moving()) {
+    told_ = snapshot_->state->camera;
+    LookFrom(told_);
+  }
+  picture_->SetState(snapshot_->state);
+  ink_->Show(*snapshot_, looking_.camera());
+  overlay_stale_ = panels_stale_ = true;
+}
+
+void Application::Resized() {
+  const glm::ivec2 size = display_->size_px();
+  // A size that the device can't draw is reported by the next frame.
+  static_cast<void>(canvas_->Resize(size));
+  LookFrom(looking_.camera());
+  panels_stale_ = true;
+}
+
+void Application::LookFrom(const Camera& camera) {
+  Camera seen = camera;
+  seen.width_px = display_->size_px().x;
+  seen.height_px = display_->size_px().y;
+  looking_.Set(seen);
+  hands_.SetView(seen, {settings_.left_handed, std::nullopt});
+  Looked(true);
+}
+
+void Application::SettingsChanged() {
+  hands_.SetFingerDraws(settings_.finger_draws);
+  hands_.SetView(looking_.camera(), {settings_.left_handed, std::nullopt});
+  const auto table = settings_.bindings.empty()
+                         ? Result<input::BindingTable>(input::DefaultBindings())
+                         : input::ReadBindings(settings_.bindings);
+  hands_.SetBindings(table ? *table : input::DefaultBindings());
+  panels_stale_ = true;
+}
+
+uint64_t Application::Post(SessionRequest request) {
+  if (!std::holds_alternative<Command>(request) ||
+      !std::holds_alternative<SetView>(std::get<Command>(request))) {
+    SyncView();
+  }
+  return posted_ = session_->Post(std::move(request));
+}
+
+void Application::SyncView() {
+  sync_at_s_.reset();
+  if (looking_.camera() == told_) return;
+  told_ = looking_.camera();
+  Post(Command(SetView{told_}));
+}
+
+void Application::Looked(bool changed) {
+  picture_->Look(looking_.camera(), looking_.moving());
+  if (!changed) return;
+  ink_->Show(*snapshot_, looking_.camera());
+  marks_stale_ = true;
+  hovered_.reset();
+  sync_at_s_ = Now_s() + kRest_s;
+}
+
+Vec3 Application::PointTouched(const Camera& camera, const Vec2& px) const {
+  const auto ref = picture_->ShapeUnder(px);
+  if (!ref) return PointUnder(camera, px);
+  return PointUnder(camera, px, PlaneAt(picture_->shown_state()->model, *ref, camera, px));
+}
+
+void Application::Take(const input::OrbitGesture& gesture) {
+  Looked(
+      looking_.Take(gesture, [this](const auto& c, const auto& p) { return PointTouched(c, p); }));
+}
+
+void Application::Take(const input::PanZoomGesture& gesture) {
+  Looked(
+      looking_.Take(gesture, [this](const auto& c, const auto& p) { return PointTouched(c, p); }));
+}
+
+void Application::Take(const WheelAct& act) {
+  Looked(looking_.Take(act, [this](const auto& c, const auto& p) { return PointTouched(c, p); }));
+}
+
+void Application::Take(const input::TapGesture& tap) {
+  if (tap.fingers == 1) SelectUnder(tap.position_px);
+  if (tap.fingers == 2) Post(Command(Undo{}));
+  if (tap.fingers == 3) Post(Command(Redo{}));
+}
+
+void Application::Take(const HoverAct& act) {
+  pen_.position_px = act.px;
+  const auto ref = picture_->ShapeUnder(act.px);
+  if (!(ref == hovered_)) marks_stale_ = true;
+  hovered_ = ref;
+}
+
+void Application::Take(const HoverEndAct&) {
+  pen_.position_px.reset();
+  if (hovered_) marks_stale_ = true;
+  hovered_.reset();
+}
+
+void Application::Take(const PanelAct& act) {
+  if (const auto* key = std::get_if<KeyEvent>(&act.event)) {
+    if (!panel_output_->takes_keys && TakeShortcut(*key)) return;
+  }
+  panel_events_.push_back(act.event);
+}
+
+void Application::Take(const DragAct& act) {
+  pen_.position_px = act.px;
+  pen_.down = act.phase == DragPhase::kBegin || act.phase == DragPhase::kMove;
+  if (act.phase != DragPhase::kMove) panels_stale_ = true;
+  switch (act.act) {
+    case PenAct::kDraw:
+      if (act.phase == DragPhase::kBegin) SyncView();
+      if (const auto tapped = ink_->Draw(act, display_->scale())) SelectUnder(*tapped);
+      break;
+    case PenAct::kErase:
+      ink_->Erase(act, display_->scale(), *snapshot_->state, looking_.camera());
+      break;
+    case PenAct::kSelect:
+      SweepSelect(act);
+      break;
+    case PenAct::kOrbit:
+    case PenAct::kPan:
+    case PenAct::kZoom:
+      Looked(
+          looking_.Take(act, [this](const auto& c, const auto& p) { return PointTouched(c, p); }));
+      break;
+    case PenAct::kNone:
+      break;
+  }
+}
+
+void Application::SelectUnder(const Vec2& px) {
+  const auto ref = picture_->ShapeUnder(px);
+  tapped_px_ = px;
+  if (ref) {
+    Post(Command(Select{{IdOf(picture_->shown_state()->model, *ref)}}));
+  } else if (!snapshot_->state->selection.shapes.empty()) {
+    Post(Command(Select{}));
+  }
+}
+
+void Application::SweepSelect(const DragAct& drag) {
+  if (drag.phase == DragPhase::kBegin) swept_.clear();
+  if (drag.phase == DragPhase::kCancel) return;
+  if (const auto ref = picture_->ShapeUnder(drag.px)) {
+    const std::string id = IdOf(picture_->shown_state()->model, *ref);
+    if (std::find(swept_.begin(), swept_.end(), id) == swept_.end()) swept_.push_back(id);
+  }
+  if (drag.phase != DragPhase::kEnd) return;
+  tapped_px_ = drag.px;
+  if (!swept_.empty() || !snapshot_->state->selection.shapes.empty()) {
+    Post(Command(Select{swept_}));
+  }
+}
+
+bool Application::TakeShortcut(const KeyEvent& key) {
+  const auto meant = shortcuts_.Feed(key, snapshot_->state->in_hand);
+  if (!meant) return false;
+  if (const auto* turn = std::get_if<TurnView>(&*meant)) {
+    looking_.Set(OrbitAbout(looking_.camera(), looking_.camera().target, turn->delta_px));
+    Looked(true);
+  } else {
+    Do(std::get<PanelCommand>(*meant));
+  }
+  return true;
+}
+
+void Application::Do(const PanelCommand& command) {
+  if (const auto* said = std::get_if<Command>(&command)) {
+    Post(*said);
+  } else if (const auto* request = std::get_if<DocumentRequest>(&command)) {
+    Post(*request);
+  } else if (const auto* folder = std::get_if<ListFolder>(&command)) {
+    folders_.Ask(folder->path);
+  } else if (const auto* view = std::get_if<ViewRequest>(&command)) {
+    Do(*view);
+  } else if (const auto* mode = std::get_if<PointerMode>(&command)) {
+    mode_ = *mode;
+    hands_.SetMode(ActOf(mode_));
+  } else if (const auto* settings = std::get_if<Settings>(&command)) {
+    settings_ = *settings;
+    keeper_.Ask(settings_);
+    SettingsChanged();
+  }
+  panels_stale_ = true;
+}
+
+void Application::Do(ViewRequest view) {
+  LookFrom(ViewFor(view, looking_.camera(), picture_->bounds()));
+}
+
+bool Application::OverPanel(const Vec2& px) {
+  RunPanels({PanelPointer{px, false}});
+  return panel_output_->takes_pointer;
+}
+
+PanelView Application::ViewForPanels() const {
+  PanelView view;
+  view.session = snapshot_;
+  view.files = folders_.newest().value_or(PanelFiles{});
+  view.settings = settings_;
+  view.scale = settings_.scale > 0 ? settings_.scale : display_->scale();
+  view.mode = mode_;
+  view.size_px = Vec2(display_->size_px());
+  view.pen = pen_;
+  view.tapped_px = tapped_px_;
+  view.has_keys = hands_.has_keys();
+  return view;
+}
+
+void Application::RunPanels(std::vector<PanelEvent> events) {
+  std::vector<PanelEvent> all = std::move(panel_events_);
+  panel_events_.clear();
+  all.insert(all.end(), events.begin(), events.end());
+  panels_stale_ = false;
+  panel_output_ = &panels_->Frame(ViewForPanels(), {Now_s(), std::move(all)});
+  if (panel_output_->letters != letters_ && panel_output_->letters) {
+    letters_ = panel_output_->letters;
+    static_cast<void>(canvas_->SetPanelTexture(0, *letters_));
+  }
+  if (panel_output_->changed) canvas_->SetPanels(panel_output_->mesh);
+  if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
+  preview_ = panel_output_->preview;
+  // Commands may change what the panels show: they are copied, and done after the frame.
+  const std::vector<PanelCommand> commands = panel_output_->commands;
+  for (const PanelCommand& command : commands) Do(command);
+}
+
+void Application::ShowMarks() {
+  if (overlay_stale_) overlay_ = OverlayOf(*snapshot_->state, preview_);
+  const View view(looking_.camera());
+  std::vector<render::Mark> marks;
+  Project(overlay_, view, &marks);
+  if (hovered_ && picture_->shown_state()) {
+    Project({HoverOf(picture_->shown_state()->model, *hovered_)}, view, &marks);
+  }
+  canvas_->SetMarksBelowPanels(std::move(marks));
+  overlay_stale_ = marks_stale_ = false;
+}
+
+Result<void> Application::DrawFrame() {
+  if ((overlay_stale_ || marks_stale_) && !ink_->drawing()) ShowMarks();
+  if (!canvas_->NeedsDraw() || !display_->CanDraw()) return {};
+  auto target = display_->BeginFrame();
+  if (!target) return Fail(target);
+  auto damage = canvas_->Draw(target->framebuffer, target->age);
+  if (!damage) return Fail(damage);
+  return display_->Present(damage->rects());
+}
+
+Result<render::Image> Application::Screenshot() {
+  if (auto current = display_->context().MakeCurrent(); !current) return Fail(current);
+  const glm::ivec2 size = display_->size_px();
+  auto target = render::GlFramebuffer::Create(display_->gl(), {size.x, size.y, GL_RGBA8});
+  if (!target) return Fail(target);
+  if (auto drawn = canvas_->Draw(target->id(), 0); !drawn) return Fail(drawn);
+  canvas_->DamageAll();  // the display has not seen that frame
+  return render::ReadImage(display_->gl(), target->id(), size);
+}
+
+}  // namespace parti::app

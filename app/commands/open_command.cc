@@ -1,0 +1,176 @@
+// `parti [FILE]`: the application, on the best display there is.
+#include <fmt/format.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+#include "app/acknowledgement_log.h"
+#include "app/application.h"
+#include "app/command_pipe.h"
+#include "app/commands/commands.h"
+#include "app/display/offscreen_display.h"
+#include "app/display/x11_display.h"
+#include "app/play.h"
+#include "base/text_file.h"
+
+namespace parti::app {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string display = "best";
+  std::string commands;      // FIFO
+  std::string acknowledged;  // file
+  std::string play;          // drawing
+  std::string screenshot;    // PNG
+};
+
+Result<std::unique_ptr<Display>> OpenDisplay(const std::string& kind) {
+  if (kind == "offscreen") return OffscreenDisplay::Create();
+  return OpenX11Display();
+}
+
+/// SIGINT, SIGTERM and SIGHUP as something to poll: the program ends as if its window were closed.
+/// Threads that are started while it lives leave these signals to it.
+class EndSignals {
+ public:
+  EndSignals() {
+    sigemptyset(&signals_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals_, signal);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    fd_ = signalfd(-1, &signals_, SFD_CLOEXEC | SFD_NONBLOCK);
+  }
+  ~EndSignals() { close(fd_); }
+  EndSignals(const EndSignals&) = delete;
+  EndSignals& operator=(const EndSignals&) = delete;
+
+  int fd() const { return fd_; }
+  bool came() const {
+    signalfd_siginfo info;
+    return read(fd_, &info, sizeof info) == sizeof info;
+  }
+
+ private:
+  sigset_t signals_;
+  int fd_;
+};
+
+/// Plays what is sound of a drawing, then says what is not.
+Result<void> PlayFile(const std::string& path, Application* application) {
+  const auto text = ReadFile(path);
+  if (!text) return Fail(text);
+  const input::DrawingReading reading = input::ReadDrawing(*text, path);
+  if (auto played = Play(reading.drawing, application); !played) return played;
+  if (reading.damage) return tl::unexpected<Error>(*reading.damage);
+  return {};
+}
+
+Result<void> TakeScreenshot(Application* application, const std::string& path) {
+  if (auto settled = Settle(application); !settled) return settled;
+  const auto image = application->Screenshot();
+  if (!image) return Fail(image);
+  return render::WritePng(*image, path);
+}
+
+/// Until the display is closed or a signal comes.
+Result<void> Loop(Application* application, const EndSignals& signals, CommandPipe* pipe) {
+  std::vector<int> also{signals.fd()};
+  if (pipe) also.push_back(pipe->fd());
+  constexpr double kLong_s = 60;
+  while (!application->close_asked() && !signals.came()) {
+    if (auto turned = application->Turn(kLong_s, also); !turned) return turned;
+    if (!pipe) continue;
+    for (const auto& command : pipe->Read()) {
+      if (command) {
+        application->Do(PanelCommand(*command));
+      } else {
+        Report(command.error());
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> RunApplication(const Options& options, Display* display, SessionThread* session,
+                            const EndSignals& signals) {
+  std::optional<AcknowledgementLog> log;
+  if (!options.acknowledged.empty()) {
+    auto opened = AcknowledgementLog::Open(options.acknowledged);
+    if (!opened) return Fail(opened);
+    log = std::move(*opened);
+  }
+  std::optional<CommandPipe> pipe;
+  if (!options.commands.empty()) {
+    auto opened = CommandPipe::Open(options.commands);
+    if (!opened) return Fail(opened);
+    pipe = std::move(*opened);
+  }
+  ApplicationOptions with;
+  with.settings_path = SettingsPath();
+  auto settings = ReadSettings(with.settings_path);
+  if (settings) {
+    with.settings = *settings;
+  } else {
+    Report(settings.error());  // and goes on with those of a new user
+  }
+  Result<void> logged;
+  with.on_snapshot = [&](const SessionSnapshot& snapshot) {
+    if (log && logged) logged = log->Note(snapshot);
+  };
+  auto application = Application::Create(display, session, std::move(with));
+  if (!application) return Fail(application);
+  if (!options.play.empty()) {
+    if (auto played = PlayFile(options.play, application->get()); !played) return played;
+  }
+  if (!options.screenshot.empty()) return TakeScreenshot(application->get(), options.screenshot);
+  if (auto looped = Loop(application->get(), signals, pipe ? &*pipe : nullptr); !looped) {
+    return looped;
+  }
+  return logged;
+}
+
+/// What a new user is to try, for whoever started the program from a terminal.
+void Greet(const Display& display) {
+  fmt::print(stderr, "parti: {}. Draw a closed outline on the ground, then a line up from it.\n",
+             display.Description());
+}
+
+int Open(const Options& options) {
+  const EndSignals signals;
+  auto display = OpenDisplay(options.display);
+  if (!display) return Report(display.error());
+  Greet(**display);
+  SessionThreadOptions with;
+  with.path = options.file;
+  SessionThread session(with);
+  const auto ran = RunApplication(options, display->get(), &session, signals);
+  session.Stop();
+  display->reset();
+  const auto last = session.Newest();
+  if (last->document.trouble && last->document.unwritten > 0) Report(*last->document.trouble);
+  return ran ? kDone : Report(ran.error());
+}
+
+}  // namespace
+
+void AddOpenCommand(CLI::App& app, Run* run) {
+  auto options = std::make_shared<Options>();
+  app.footer(
+      "Examples:\n  parti house.parti\n  parti replay assets/drawings/house.pen --png a.png");
+  app.add_option("FILE", options->file, "a document; a new one where there is none");
+  app.add_option("--display", options->display,
+                 "kms, x11, wayland, offscreen, or best: what there is");
+  app.add_option("--play", options->play, "a drawing to play as if its tablet were there");
+  app.add_option("--screenshot", options->screenshot,
+                 "a PNG of the application once all is done; then it ends");
+  app.add_option("--commands", options->commands,
+                 "a FIFO whose lines are commands (tests, scripts)");
+  app.add_option("--acknowledged", options->acknowledged,
+                 "a file that gets a line for each command that is safe on the disk");
+  *run = [=] { return Open(*options); };
+}
+
+}  // namespace parti::app

@@ -1,0 +1,236 @@
+// The whole application on a display in memory: events in, rules, documents and pixels out.
+#include "app/application.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/display/offscreen_display.h"
+#include "app/play.h"
+#include "app/replay.h"
+#include "base/text_file.h"
+#include "tests/support/data.h"
+#include "tests/support/golden.h"
+#include "tests/support/program.h"
+
+namespace parti::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr int kPen = 0, kTouch = 1;
+
+/// A pen tablet of 160 x 100 mm and a touch screen of that size on a view of 1600 x 1000 px.
+class ApplicationTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto display = OffscreenDisplay::Create();
+    ASSERT_TRUE(display) << FormatError(display.error());
+    display_ = std::move(*display);
+    const std::string folder = tests::TestFolder();
+    SessionThreadOptions options;
+    options.folders = {folder + "/data", folder + "/state"};
+    session_ = std::make_unique<SessionThread>(options);
+    auto application = Application::Create(display_.get(), session_.get(), {});
+    ASSERT_TRUE(application) << FormatError(application.error());
+    application_ = std::move(*application);
+  }
+
+  void Settle() {
+    const auto settled = app::Settle(application_.get());
+    ASSERT_TRUE(settled) << FormatError(settled.error());
+  }
+  void Do(const std::string& line) {
+    application_->Do(PanelCommand(*ParseCommand(line)));
+    Settle();
+  }
+  void PlugIn() {
+    DeviceFacts pen, touch;
+    pen.has_pen = touch.has_touch = true;
+    pen.size_mm = touch.size_mm = Vec2(160, 100);
+    display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, kPen, pen});
+    display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, kTouch, touch});
+  }
+  void Pen(PenEvent::Kind kind, const Vec2& px) {
+    PenEvent event;
+    event.kind = kind;
+    event.device = kPen;
+    event.t_s = t_s_ += 0.005;
+    event.position_mm = px / 10.0;
+    event.pressure = 0.5;
+    display_->Inject(event);
+  }
+  /// Without lifting it.
+  void Draw(const Vec2& from, const Vec2& to) {
+    Pen(PenEvent::Kind::kProximityIn, from);
+    Pen(PenEvent::Kind::kDown, from);
+    for (int i = 1; i <= 40; ++i) Pen(PenEvent::Kind::kMotion, from + (to - from) * (i / 40.0));
+  }
+  void Lift(const Vec2& at) {
+    Pen(PenEvent::Kind::kUp, at);
+    Pen(PenEvent::Kind::kProximityOut, at);
+  }
+  void Line(const Vec2& from, const Vec2& to) {
+    Draw(from, to);
+    Lift(to);
+    Settle();
+  }
+  void Finger(TouchEvent::Kind kind, int finger, const Vec2& px) {
+    display_->Inject(TouchEvent{kind, kTouch, finger, t_s_ += 0.01, px / 10.0});
+  }
+
+  const SessionState& state() const { return *application_->snapshot().state; }
+  /// Where a point of the world is seen.
+  Vec2 Pixel(const Vec3& point) const { return *View(application_->camera()).Project(point); }
+
+  std::unique_ptr<OffscreenDisplay> display_;
+  std::unique_ptr<SessionThread> session_;
+  std::unique_ptr<Application> application_;
+  double t_s_ = 1;
+};
+
+TEST_F(ApplicationTest, ALineUpFromTheLotAndATapOnItsSuggestionMakeABuilding) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  Line(Pixel({0, 0, 14}), Pixel({0, 9, 14}));
+  ASSERT_THAT(state().sketch.suggestions, testing::Not(IsEmpty()));
+  const auto cards = application_->panels().targets;
+  const auto card = std::find_if(cards.begin(), cards.end(), [](const PanelTarget& target) {
+    return target.name.starts_with("Suggestions/1 ") && target.visible;
+  });
+  ASSERT_NE(card, cards.end()) << "no card to tap";
+  const Vec2 middle = (card->low_px + card->high_px) * 0.5;
+  Pen(PenEvent::Kind::kProximityIn, middle);
+  Pen(PenEvent::Kind::kDown, middle);
+  Lift(middle);
+  Settle();
+  EXPECT_THAT(grammar::TextOf(state().model.trees()), HasSubstr("extrude"));
+  EXPECT_THAT(state().sketch.strokes, IsEmpty());
+}
+
+TEST_F(ApplicationTest, TheDemoGivesTheSameRulesAsItsReplay) {
+  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  ASSERT_TRUE(text);
+  const input::Drawing drawing = input::ReadDrawing(*text).drawing;
+  const auto played = Play(drawing, application_.get());
+  ASSERT_TRUE(played) << FormatError(played.error());
+  Settle();
+  Session session;
+  ReplayReport report;
+  ASSERT_TRUE(Replay(drawing, &session, &report));
+  EXPECT_EQ(grammar::TextOf(state().model.trees()), grammar::TextOf(session.state().model.trees()));
+}
+
+TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Draw({400, 700}, {900, 800});
+  Settle();
+  const auto shown = display_->ReadPixels();
+  const auto anew = application_->Screenshot();
+  ASSERT_TRUE(shown && anew);
+  EXPECT_EQ(tests::Compare(*shown, *anew, {2, 0}).pixels, 0u);
+}
+
+TEST_F(ApplicationTest, NothingIsDrawnWhileNothingChanges) {
+  Do("lot rect(20,14)");
+  const int frames = display_->frames();
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(application_->Turn(0));
+  EXPECT_EQ(display_->frames(), frames);
+}
+
+TEST_F(ApplicationTest, AnUnpluggedPenLeavesItsStroke) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  Draw(Pixel({0, 0, 14}), Pixel({0, 9, 14}));
+  display_->Inject(DeviceEvent{DeviceEvent::Kind::kRemoved, t_s_, kPen, {}});
+  Settle();
+  EXPECT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 1u);
+}
+
+TEST_F(ApplicationTest, AStrokeGoesOnThroughResizeAndLostFocus) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Draw({300, 600}, {700, 620});
+  display_->LoseFocus();
+  Settle();
+  display_->Resize({1200, 750}, 1);
+  Settle();
+  Lift({700, 620});
+  Settle();
+  EXPECT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 1u);
+  EXPECT_EQ(application_->camera().width_px, 1200);
+}
+
+TEST_F(ApplicationTest, TwoFingersMoveTheGroundOneToOne) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const Vec3 corner(0, 0, 14);
+  const Vec2 before = Pixel(corner);
+  using Kind = TouchEvent::Kind;
+  Finger(Kind::kDown, 0, before - Vec2(100, 0));
+  Finger(Kind::kDown, 1, before + Vec2(100, 0));
+  for (int i = 1; i <= 30; ++i) {
+    const Vec2 moved(4.0 * i, 2.0 * i);
+    Finger(Kind::kMotion, 0, before + moved - Vec2(100, 0));
+    Finger(Kind::kMotion, 1, before + moved + Vec2(100, 0));
+  }
+  Finger(Kind::kUp, 0, before);
+  Finger(Kind::kUp, 1, before);
+  Settle();
+  EXPECT_LT(glm::distance(Pixel(corner), before + Vec2(120, 60)), 3);
+  EXPECT_EQ(state().camera, application_->camera()) << "the session knows where one looks from";
+}
+
+TEST_F(ApplicationTest, TwoFingersTapUndoesAndThreeRedo) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  const auto tap = [this](int fingers) {
+    t_s_ += 1;
+    for (int i = 0; i < fingers; ++i) Finger(TouchEvent::Kind::kDown, i, {700.0 + 100 * i, 500});
+    for (int i = 0; i < fingers; ++i) Finger(TouchEvent::Kind::kUp, i, {700.0 + 100 * i, 500});
+    Settle();
+  };
+  tap(2);
+  EXPECT_THAT(state().model.lots(), IsEmpty());
+  tap(3);
+  EXPECT_EQ(state().model.lots().size(), 1u);
+}
+
+TEST_F(ApplicationTest, ATapOnAShapeSelectsIt) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const Vec2 middle = Pixel({10, 0, 7});
+  Pen(PenEvent::Kind::kProximityIn, middle);
+  Pen(PenEvent::Kind::kDown, middle);
+  Lift(middle);
+  Settle();
+  EXPECT_EQ(state().selection.shapes.size(), 1u);
+}
+
+TEST_F(ApplicationTest, TheEraserTakesStrokesAway) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  Line({600, 500}, {700, 200});
+  ASSERT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 1u);
+  application_->Do(PointerMode::kErase);
+  Line({500, 350}, {800, 360});
+  EXPECT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 0u);
+}
+
+TEST_F(ApplicationTest, ClosingIsSaidAndLosesNothing) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Draw({300, 600}, {700, 620});
+  display_->AskToClose();
+  Settle();
+  EXPECT_TRUE(application_->close_asked());
+}
+
+}  // namespace
+}  // namespace parti::app
