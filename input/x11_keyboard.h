@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "input/composed_text.h"
+#include "input/key_typing.h"
 
 struct _XDisplay;
 union _XEvent;
@@ -29,7 +29,7 @@ class X11Keyboard {
   ~X11Keyboard();
   X11Keyboard(X11Keyboard&&) = delete;
 
-  /// What the press of X's `keycode` types (ComposedText::Press).
+  /// What the press of X's `keycode` types (KeyTyping::Press).
   std::string Press(uint32_t keycode, const X11Modifiers& modifiers);
   /// The focus went elsewhere.
   void Forget();
@@ -47,7 +47,7 @@ class X11Keyboard {
   int first_event_ = 0;  // of XKB
   std::unique_ptr<xkb_context, Unref> context_;
   std::unique_ptr<xkb_state, Unref> state_;
-  std::optional<ComposedText> typing_;
+  std::optional<KeyTyping> typing_;
 };
 
 }  // namespace parti::input

@@ -1,13 +1,10 @@
 #include "app/display/x11_display.h"
 
 #include <X11/Xlib.h>
-#include <sys/timerfd.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
+#include "app/display/frame_pace.h"
 #include "base/check.h"
 #include "input/x11_source.h"
 #include "render/x11_window.h"
@@ -16,38 +13,6 @@ namespace parti::app {
 namespace {
 
 constexpr double kPxPerMm = 96 / 25.4;  ///< at scale 1, by definition of the scale
-
-/// "CanDraw is false for a while after each frame", as a descriptor that wakes the loop.
-class FramePace {
- public:
-  explicit FramePace(double least_s)
-      : least_s_(least_s), fd_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {
-    CHECK(fd_ >= 0, "the system has descriptors left");
-  }
-  ~FramePace() { ::close(fd_); }
-  FramePace(const FramePace&) = delete;
-  FramePace& operator=(const FramePace&) = delete;
-
-  int fd() const { return fd_; }
-  bool open() const { return open_; }
-  void NoteFrame() {
-    const auto nanoseconds = static_cast<long>(std::lround(least_s_ * 1e9));
-    if (nanoseconds <= 0) return;
-    itimerspec once{};
-    once.it_value = {nanoseconds / 1'000'000'000, nanoseconds % 1'000'000'000};
-    ::timerfd_settime(fd_, 0, &once, nullptr);
-    open_ = false;
-  }
-  void Look() {
-    uint64_t times = 0;
-    if (::read(fd_, &times, sizeof(times)) > 0) open_ = true;
-  }
-
- private:
-  double least_s_;
-  int fd_;
-  bool open_ = true;
-};
 
 class X11Display final : public Display {
  public:
@@ -58,7 +23,7 @@ class X11Display final : public Display {
         window_(std::move(window)),
         source_(std::move(source)),
         gl_(gl),
-        pace_(least_frame_s),
+        least_frame_s_(least_frame_s),
         renderer_(window_->context().Renderer()),
         first_news_(source_->Begin()) {}
   ~X11Display() override { window_->context().Release(); }
@@ -97,6 +62,7 @@ class X11Display final : public Display {
   std::unique_ptr<render::X11Window> window_;
   std::unique_ptr<input::X11Source> source_;
   render::Gl gl_;
+  double least_frame_s_;
   FramePace pace_;
   std::string renderer_;
   std::vector<InputEvent> first_news_;  // the devices that were there
@@ -110,7 +76,7 @@ Result<Display::Target> X11Display::BeginFrame() {
 
 Result<void> X11Display::Present(std::span<const render::PixelRect> damage) {
   if (connection_->lost()) return tl::unexpected(connection_->WhyLost());
-  pace_.NoteFrame();
+  pace_.CloseFor(least_frame_s_);
   const auto swapped = window_->context().Swap(damage, size_px().y);
   // Mesa's software driver leaves the picture in the connection's buffer.
   XFlush(connection_->get());
