@@ -11,8 +11,7 @@
 #include "app/application.h"
 #include "app/command_pipe.h"
 #include "app/commands/commands.h"
-#include "app/display/offscreen_display.h"
-#include "app/display/x11_display.h"
+#include "app/display/open_display.h"
 #include "app/play.h"
 #include "base/text_file.h"
 
@@ -27,11 +26,6 @@ struct Options {
   std::string play;          // drawing
   std::string screenshot;    // PNG
 };
-
-Result<std::unique_ptr<Display>> OpenDisplay(const std::string& kind) {
-  if (kind == "offscreen") return OffscreenDisplay::Create();
-  return OpenX11Display();
-}
 
 /// SIGINT, SIGTERM and SIGHUP as something to poll: the program ends as if its window were closed.
 /// Threads that are started while it lives leave these signals to it.
@@ -140,7 +134,9 @@ void Greet(const Display& display) {
 
 int Open(const Options& options) {
   const EndSignals signals;
-  auto display = OpenDisplay(options.display);
+  const auto kind = DisplayKindOf(options.display);
+  if (!kind) return Report(kind.error());
+  auto display = OpenDisplay(*kind);
   if (!display) return Report(display.error());
   Greet(**display);
   SessionThreadOptions with;
