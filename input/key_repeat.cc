@@ -1,7 +1,5 @@
 #include "input/key_repeat.h"
 
-#include <algorithm>
-
 namespace parti::input {
 
 void KeyRepeat::Feed(const InputEvent& event, bool repeats) {
@@ -30,7 +28,8 @@ std::optional<KeyEvent> KeyRepeat::Tick(double now_s) {
   KeyEvent press = *held_;
   press.t_s = now_s;
   press.repeat = true;
-  due_s_ = std::max(due_s_ + params_.interval_s, now_s);  // what was missed is not made up for
+  due_s_ += params_.interval_s;
+  if (!(due_s_ > now_s)) due_s_ = now_s + params_.interval_s;  // what was missed is not made up for
   return press;
 }
 

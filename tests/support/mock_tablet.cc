@@ -177,7 +177,7 @@ MockTablet::MockTablet(const EvdevRecording& recording) : recording_(recording) 
   folder_ = name;
   AppendEnd(&recording_);
   fs::create_directory(folder_ / "udev");
-  Write(File("udev/c13:69"), UdevData());
+  Write((folder_ / "udev" / UdevDataName()).string(), UdevData());
   Write(File("device"), UmockdevDevice(recording_));
   Write(File("ioctls"), UmockdevIoctls(recording_));
 }
@@ -198,7 +198,7 @@ std::string MockTablet::EndMark() const {
 Result<MockTablet::Outcome> MockTablet::Run(const std::vector<std::string>& program,
                                             const Watch& watch, double patience_s) const {
   fs::remove(folder_ / "pid");
-  Pipe events(File("events"));
+  Pipe events(File("event5.pipe"));
   const std::string watched = watch.file.empty() ? File("output") : watch.file;
   const auto deadline = Clock::now() + std::chrono::duration<double>(patience_s);
   Child child(CommandFor(program), File("output"), File("errors"));
@@ -226,8 +226,7 @@ std::vector<std::string> MockTablet::CommandFor(const std::vector<std::string>& 
   const std::string node = kMockNode;
   std::vector<std::string> words{
       "umockdev-run", "-d", File("device"), "-i", node + "=" + File("ioctls"), "--", "env",
-      "MOCK_NODE=" + node, "MOCK_NUMBER=13:69", "MOCK_EVENTS=" + File("events"),
-      "MOCK_UDEV_DATA=" + File("udev"),
+      "MOCK_FOLDER=" + folder_.string(),
       // The sanitizers' runtime wants to be loaded first, and can do without.
       "ASAN_OPTIONS=verify_asan_link_order=0",
       fmt::format("LD_PRELOAD={}:libumockdev-preload.so.0", PARTI_MOCK_NODE), "sh", "-c", kRunner,

@@ -15,6 +15,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 
 constexpr int kIdentityLength = 255;  // libevdev's buffer for names
+constexpr int kFirstMinor = 64;       // of event0
 constexpr int kKeyBytes = 96;         // KEY_CNT / 8
 
 /// Lengths of libevdev's buffers for the codes of each type of event.
@@ -94,43 +95,58 @@ Vec2 SizeMm(const EvdevRecording& recording) {
   return {size(ABS_X), size(ABS_Y)};
 }
 
+std::string PropertyLines(const MockPlace& place, const char* mark = "E: ") {
+  std::string lines;
+  for (const std::string& property : place.properties) lines += mark + property + "\n";
+  return lines;
+}
+
 }  // namespace
 
-std::string UmockdevDevice(const EvdevRecording& recording) {
-  constexpr const char* kParent = "/devices/pci0000:00/0000:00:14.0/usb1/1-1/1-1:1.0/input/input5";
+std::string SysfsPath(const MockPlace& place) {
+  return fmt::format("/devices/pci0000:00/0000:00:14.0/usb1/1-1/1-1:1.0/input/input{}",
+                     place.number);
+}
+
+std::string SysfsNodePath(const MockPlace& place) {
+  return fmt::format("{}/event{}", SysfsPath(place), place.number);
+}
+
+std::string UmockdevDevice(const EvdevRecording& recording, const MockPlace& place) {
   const Vec2 size_mm = SizeMm(recording);
-  const std::string properties = Mask(Padded(recording.properties, 8));
+  const std::string device_properties = Mask(Padded(recording.properties, 8));
   const std::string abs = Mask(CodesOf(recording, EV_ABS, 8));
   const std::string key = Mask(CodesOf(recording, EV_KEY, kKeyBytes));
   const std::string ev = Mask(TypesOf(recording));
+  const int n = place.number, minor = kFirstMinor + n;
   std::string text = fmt::format(
-      "P: {}/event5\nN: input/event5\nE: DEVNAME=/dev/input/event5\nE: MAJOR=13\nE: MINOR=69\n"
-      "E: SUBSYSTEM=input\nE: ID_BUS=usb\nE: ID_INPUT=1\nE: ID_INPUT_TABLET=1\nE: ID_SEAT=seat0\n"
+      "P: {}\nN: input/event{}\nE: DEVNAME=/dev/input/event{}\nE: MAJOR=13\nE: MINOR={}\n"
+      "E: SUBSYSTEM=input\nE: ID_BUS=usb\nE: ID_INPUT=1\nE: ID_SEAT=seat0\n"
       "E: ID_INPUT_WIDTH_MM={}\nE: ID_INPUT_HEIGHT_MM={}\nE: ID_VENDOR_ID={:04x}\n"
-      "E: ID_MODEL_ID={:04x}\nE: LIBINPUT_DEVICE_GROUP=3/{:x}/{:x}:usb-mock\nA: dev=13:69\n"
-      "L: device=../../input5\n\n",
-      kParent, size_mm.x, size_mm.y, recording.vendor, recording.product, recording.vendor,
-      recording.product);
+      "E: ID_MODEL_ID={:04x}\nE: LIBINPUT_DEVICE_GROUP=3/{:x}/{:x}:usb-mock-{}\n{}"
+      "A: dev=13:{}\nL: device=../../input{}\n\n",
+      SysfsNodePath(place), n, n, minor, size_mm.x, size_mm.y, recording.vendor, recording.product,
+      recording.vendor, recording.product, n, PropertyLines(place), minor, n);
   text += fmt::format(
-      "P: {}\nE: SUBSYSTEM=input\nE: ID_INPUT=1\nE: ID_INPUT_TABLET=1\nE: NAME=\"{}\"\n"
-      "E: PHYS=\"usb-mock/0\"\nE: PRODUCT={:x}/{:x}/{:x}/{:x}\nE: PROP={}\nE: EV={}\nE: KEY={}\n"
+      "P: {}\nE: SUBSYSTEM=input\nE: ID_INPUT=1\n{}E: NAME=\"{}\"\n"
+      "E: PHYS=\"usb-mock/{}\"\nE: PRODUCT={:x}/{:x}/{:x}/{:x}\nE: PROP={}\nE: EV={}\nE: KEY={}\n"
       "E: ABS={}\n",
-      kParent, recording.name, recording.bus, recording.vendor, recording.product,
-      recording.version, properties, ev, key, abs);
+      SysfsPath(place), PropertyLines(place), recording.name, n, recording.bus, recording.vendor,
+      recording.product, recording.version, device_properties, ev, key, abs);
   text += fmt::format(
-      "A: name={}\nA: phys=usb-mock/0\nA: uniq=\nA: properties={}\nA: id/bustype={:04x}\n"
+      "A: name={}\nA: phys=usb-mock/{}\nA: uniq=\nA: properties={}\nA: id/bustype={:04x}\n"
       "A: id/vendor={:04x}\nA: id/product={:04x}\nA: id/version={:04x}\nA: capabilities/ev={}\n"
       "A: capabilities/key={}\nA: capabilities/abs={}\n\n",
-      recording.name, properties, recording.bus, recording.vendor, recording.product,
+      recording.name, n, device_properties, recording.bus, recording.vendor, recording.product,
       recording.version, ev, key, abs);
   return text;
 }
 
-std::string UmockdevIoctls(const EvdevRecording& recording) {
-  std::string text = "@DEV /dev/input/event5\n";
+std::string UmockdevIoctls(const EvdevRecording& recording, const MockPlace& place) {
+  std::string text = fmt::format("@DEV /dev/input/event{}\n", place.number);
   text += Answer("EVIOCGBIT(0)", 8, TypesOf(recording));
   text += TextAnswer("EVIOCGNAME(0)", recording.name);
-  text += TextAnswer("EVIOCGPHYS(0)", "usb-mock/0");
+  text += TextAnswer("EVIOCGPHYS(0)", fmt::format("usb-mock/{}", place.number));
   text += TextAnswer("EVIOCGUNIQ(0)", "");
   text += Answer(
       "EVIOCGID", 0,
@@ -152,8 +168,12 @@ std::string UmockdevIoctls(const EvdevRecording& recording) {
   return text;
 }
 
-std::string UdevData() {
-  return "I:1234567\nE:ID_INPUT=1\nE:ID_INPUT_TABLET=1\nG:seat\nQ:seat\nV:1\n";
+std::string UdevDataName(const MockPlace& place) {
+  return fmt::format("c13:{}", kFirstMinor + place.number);
+}
+
+std::string UdevData(const MockPlace& place) {
+  return "I:1234567\nE:ID_INPUT=1\n" + PropertyLines(place, "E:") + "G:seat\nQ:seat\nV:1\n";
 }
 
 }  // namespace parti::tests

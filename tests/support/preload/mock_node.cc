@@ -1,11 +1,12 @@
 // Preloaded before umockdev's own library into programs that read a mocked tablet: mends what
 // umockdev 0.17 leaves real, so that libinput takes the tablet without root. Two things:
-//  - The node MOCK_NODE (umockdev answers its ioctls) gives its events from the named pipe
-//    MOCK_EVENTS and tells the number MOCK_NUMBER in fstat, which libinput compares with udev's.
-//    umockdev's own player goes through a pseudo terminal: it loses what it plays before the
-//    program is ready, splits events, and tells the terminal's number.
+//  - A node /dev/input/eventN (umockdev answers its ioctls) for which there is a named pipe
+//    eventN.pipe in the folder MOCK_FOLDER gives its events from there, and tells the number
+//    13:64+N in fstat, which libinput compares with udev's. umockdev's own player goes through a
+//    pseudo terminal: it loses what it plays before the program is ready, splits events, and tells
+//    the terminal's number.
 //  - libudev looks in /run/udev/data whether udev is done with the device, or libinput waits for
-//    ever. Files of that folder are looked for in the folder MOCK_UDEV_DATA instead.
+//    ever. Files of that folder are looked for in MOCK_FOLDER/udev instead.
 // Built without sanitizers: it is loaded before their runtime.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -27,32 +28,41 @@ Function* Next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-/// Whether this is the pipe of the node's events.
+constexpr int kNodes = 32;  // that evdev has
+constexpr unsigned kMajor = 13, kFirstMinor = 64;
+
+std::string PipeOf(int number) {
+  const char* folder = std::getenv("MOCK_FOLDER");
+  return std::string(folder ? folder : "") + "/event" + std::to_string(number) + ".pipe";
+}
+
+/// Of whose events this is the pipe; -1: it is none.
 template <typename Stat>
-bool IsMocked(const Stat& facts) {
-  const char* events = std::getenv("MOCK_EVENTS");
-  struct stat pipe {};
-  return events && S_ISFIFO(facts.st_mode) && ::stat(events, &pipe) == 0 &&
-         pipe.st_dev == facts.st_dev && pipe.st_ino == facts.st_ino;
+int MockedNumber(const Stat& facts) {
+  if (!S_ISFIFO(facts.st_mode)) return -1;
+  for (int number = 0; number < kNodes; ++number) {
+    struct stat pipe {};
+    if (::stat(PipeOf(number).c_str(), &pipe) != 0) continue;
+    if (pipe.st_dev == facts.st_dev && pipe.st_ino == facts.st_ino) return number;
+  }
+  return -1;
 }
 
 template <typename Stat>
 void TellMockedNumber(Stat* facts) {
-  unsigned major_number = 0, minor_number = 0;
-  const char* number = std::getenv("MOCK_NUMBER");
-  if (!number || !IsMocked(*facts)) return;
-  if (std::sscanf(number, "%u:%u", &major_number, &minor_number) != 2) return;
+  const int number = MockedNumber(*facts);
+  if (number < 0) return;
   facts->st_mode = (facts->st_mode & ~static_cast<mode_t>(S_IFMT)) | S_IFCHR;
-  facts->st_rdev = makedev(major_number, minor_number);
+  facts->st_rdev = makedev(kMajor, kFirstMinor + static_cast<unsigned>(number));
 }
 
 /// Puts the pipe in the place of the mocked node, under the descriptor that umockdev knows. Done by
 /// system calls, since umockdev watches the functions.
 int WithEvents(int fd, const char* path) {
-  const char* node = std::getenv("MOCK_NODE");
-  const char* events = std::getenv("MOCK_EVENTS");
-  if (fd < 0 || !node || !events || std::string_view(path) != node) return fd;
-  const auto pipe = ::syscall(SYS_openat, AT_FDCWD, events, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  int number = 0;
+  if (fd < 0 || std::sscanf(path, "/dev/input/event%d", &number) != 1) return fd;
+  const auto pipe =
+      ::syscall(SYS_openat, AT_FDCWD, PipeOf(number).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (pipe < 0) return fd;
   ::syscall(SYS_dup3, pipe, fd, O_CLOEXEC);
   ::syscall(SYS_close, pipe);
@@ -61,10 +71,10 @@ int WithEvents(int fd, const char* path) {
 
 std::string Moved(const char* path) {
   constexpr std::string_view kUdevData = "/run/udev/data/";
-  const char* folder = std::getenv("MOCK_UDEV_DATA");
+  const char* folder = std::getenv("MOCK_FOLDER");
   const std::string_view asked = path ? path : "";
   if (!folder || !asked.starts_with(kUdevData)) return std::string(asked);
-  return std::string(folder) + "/" + std::string(asked.substr(kUdevData.size()));
+  return std::string(folder) + "/udev/" + std::string(asked.substr(kUdevData.size()));
 }
 
 /// The permissions of a call that may create a file, from behind its named arguments.
