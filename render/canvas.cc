@@ -49,7 +49,9 @@ Canvas::Canvas(const Gl& gl, const glm::ivec2& size, Programs programs, UiLayer 
 }
 
 Canvas::~Canvas() {
-  for (const Retired& retired : retired_) gl_->DeleteSync(retired.drawn);
+  for (const Retired& retired : retired_) {
+    if (retired.drawn) gl_->DeleteSync(retired.drawn);
+  }
 }
 
 Result<Canvas::Layers> Canvas::CreateLayers(const Gl& gl, const glm::ivec2& size) {
@@ -84,7 +86,7 @@ Result<void> Canvas::Resize(const glm::ivec2& size) {
   groups_below_ = GroupsOf(marks_below_, size);
   groups_above_ = GroupsOf(marks_above_, size);
   panel_shapes_ = ShapesOf(mesh_, size);
-  panels_.SetMesh(mesh_, panel_shapes_);
+  mesh_sent_ = false;
   fresh_ = Damage(size);
   history_ = DamageHistory(size);
   fresh_.AddAll();
@@ -93,7 +95,7 @@ Result<void> Canvas::Resize(const glm::ivec2& size) {
 
 void Canvas::SetPicture(CanvasPicture picture) {
   if (picture_.keep && picture_.keep != picture.keep) {
-    retired_.push_back({picture_.keep, gl_->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
+    retired_.push_back({picture_.keep, nullptr});
   }
   picture_ = std::move(picture);
   fresh_.AddAll();
@@ -135,7 +137,7 @@ void Canvas::SetPanels(const UiMesh& mesh) {
   fresh_.Add(ChangeBetween(panel_shapes_, shapes, size_));
   panel_shapes_ = std::move(shapes);
   mesh_ = mesh;
-  panels_.SetMesh(mesh_, panel_shapes_);
+  mesh_sent_ = false;
 }
 
 Result<void> Canvas::SetPanelTexture(uint32_t id, const Image& image) {
@@ -156,6 +158,8 @@ Result<Damage> Canvas::Draw(GLuint framebuffer, int age) {
   const InkNews news = strokes_.TakeNews();
   fresh_.Add(news.changed);
   if (!gl_->is_gles) gl_->Disable(GL_FRAMEBUFFER_SRGB);
+  WatchRetired();
+  SendPanels();
   layers_.ink.Update(strokes_, news);
   const Damage repair = history_.ToRepair(fresh_, age);
   gl_->Disable(GL_DEPTH_TEST);
@@ -214,9 +218,23 @@ void Canvas::BindInk() const {
   program.Set("live_ink", layers_.ink.color());
 }
 
+void Canvas::SendPanels() {
+  if (mesh_sent_) return;
+  panels_.SetMesh(mesh_, panel_shapes_);
+  mesh_sent_ = true;
+}
+
+/// All frames that show them have been begun by now.
+void Canvas::WatchRetired() {
+  for (Retired& retired : retired_) {
+    if (!retired.drawn) retired.drawn = gl_->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  }
+}
+
 void Canvas::ReleaseRetired() {
   while (!retired_.empty()) {
-    const GLenum waited = gl_->ClientWaitSync(retired_.front().drawn, 0, 0);
+    const GLenum waited =
+        gl_->ClientWaitSync(retired_.front().drawn, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
     if (waited == GL_TIMEOUT_EXPIRED) return;
     gl_->DeleteSync(retired_.front().drawn);
     retired_.pop_front();

@@ -25,8 +25,9 @@ struct CanvasPicture {
 };
 
 /// Layers from back to front: picture, ink, marks below panels, panels, marks above panels. All
-/// functions are called by one thread while its context is current; all are cheap but Draw, which
-/// does the work: O(pixels damaged + samples, triangles and marks that are new or in them).
+/// functions are called by one thread. Those that return a Result, and the destructor, need the
+/// context to be current; the others only note what is wanted. Draw does the work: O(pixels damaged
+/// + samples, triangles and marks that are new or in them).
 ///
 /// Pixels count from the top left, y down. Targets are GL_RGBA8 or a window's framebuffer (bytes
 /// are written as sRGB; a target that converts by itself would do so twice), of the canvas's size,
@@ -81,7 +82,7 @@ class Canvas {
  private:
   struct Retired {
     std::shared_ptr<const void> keep;
-    GLsync drawn = nullptr;  ///< signalled once no frame reads it
+    GLsync drawn = nullptr;  ///< signalled once no frame reads it; null until the next Draw
   };
   struct Programs {
     GlProgram picture, picture_and_ink;
@@ -96,7 +97,9 @@ class Canvas {
   void Compose(const Damage& repair, GLuint framebuffer) const;
   void BindPicture(const GlProgram& program) const;
   void BindInk() const;
+  void WatchRetired();
   void ReleaseRetired();
+  void SendPanels();
 
   const Gl* gl_;
   glm::ivec2 size_;
@@ -111,6 +114,7 @@ class Canvas {
   std::vector<MarkGroup> groups_below_, groups_above_;
   std::vector<UiShape> panel_shapes_;
   UiMesh mesh_;
+  bool mesh_sent_ = true;
   Damage fresh_;  ///< since the last Draw, but for ink
   DamageHistory history_;
   std::deque<Retired> retired_;
