@@ -33,12 +33,13 @@ std::string HintOfMode(PointerMode mode) {
 std::string HintOf(const PanelView& view) {
   const bool nothing = !view.session || view.session->state->model.lots().empty();
   if (nothing) return "Draw a closed outline on the ground: it becomes the lot.";
-  if (view.mode != PointerMode::kDraw) return HintOfMode(view.mode);
   const SessionState& state = *view.session->state;
+  if (!state.selection.shapes.empty()) return "Tap which shapes you mean, or tap more of them.";
   if (!state.sketch.suggestions.empty()) return "Tap what you meant, or draw on.";
-  if (!state.sketch.strokes.empty()) {
+  if (!state.sketch.strokes.empty() || !state.sketch.unread.empty()) {
     return "Nothing to suggest for these lines: draw one more, or erase them.";
   }
+  if (view.mode != PointerMode::kDraw) return HintOfMode(view.mode);
   if (!HasNodes(state)) return "Draw a line up from the lot: it becomes a building.";
   return "Draw lines on a face to divide it; tap a rule to change its numbers.";
 }

@@ -1,10 +1,10 @@
 #include "app/panels/icons.h"
 
+#include <imgui.h>
+
 #include <array>
 #include <charconv>
 #include <string_view>
-
-#include <imgui.h>
 
 namespace parti::app::panels {
 namespace {
@@ -102,6 +102,7 @@ constexpr Drawing kDrawings[] = {
     {Icon::kOperation,
      "m 12 3 l 20 7.5 l 20 16.5 l 12 21 l 4 16.5 l 4 7.5 z m 4 7.5 l 12 12 l 20 7.5 m 12 12 l 12 "
      "21"},
+    {Icon::kRecord, "a 12 12 8.5 0 360 d 12 12 4"},
     {Icon::kQuery, "a 10.5 10.5 6.5 0 360 m 15.3 15.3 l 20.5 20.5"},
 };
 

@@ -64,6 +64,7 @@ enum class Icon : uint8_t {
   kTag,
   kOperation,
   kQuery,
+  kRecord,
 };
 
 /// Draws it into the middle of a box with lines of that width [px].

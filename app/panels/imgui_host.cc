@@ -1,13 +1,12 @@
 #include "app/panels/imgui_host.h"
 
+#include <imgui.h>
 #include <linux/input-event-codes.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <utility>
-
-#include <imgui.h>
 
 namespace parti::app::panels {
 namespace {
@@ -130,6 +129,11 @@ void ImGuiHost::FeedKey(const KeyEvent& key) {
   const bool types = key.pressed && !io.KeyCtrl && !key.text.empty() &&
                      static_cast<unsigned char>(key.text[0]) >= ' ';
   if (types) io.AddInputCharactersUTF8(key.text.c_str());
+}
+
+bool ImGuiHost::control() const {
+  ImGui::SetCurrentContext(context_);
+  return ImGui::GetIO().KeyCtrl;
 }
 
 void ImGuiHost::NewFrame(const Vec2& size_px, double step_s) {

@@ -26,6 +26,8 @@ class ImGuiHost {
   /// keys that ImGui can't hold are passed over.
   void Feed(const PanelEvent& event);
 
+  bool control() const;  ///< one of these keys is held
+
   /// size_px >= 1; step_s is clamped to what makes sense.
   void NewFrame(const Vec2& size_px, double step_s);
   /// Ends the frame; its triangles, clipped to the view.

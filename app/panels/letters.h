@@ -2,11 +2,12 @@
 // scale. Where they stand on a panel is ui.h's.
 #pragma once
 
+#include <imgui.h>
+
 #include <memory>
 #include <string>
 
 #include "base/error.h"
-#include <imgui.h>
 #include "render/image.h"
 
 namespace parti::app::panels {

@@ -24,6 +24,7 @@ struct Memory {
   std::string file_name;    ///< being given, without its folder
   std::string export_ending = "glb";
   std::string view_name;
+  std::vector<int> shown_node;    ///< path of the row in hand that was scrolled into sight
   std::vector<int> dragged_node;  ///< path of the row that is being moved; empty: none
 
   /// Opens a sheet, or closes it when it is the one that is open.

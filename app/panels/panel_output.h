@@ -27,6 +27,12 @@ enum class ViewRequest : uint8_t { kFit, kSouth, kEast, kNorth, kWest, kAbove, k
 using PanelCommand =
     std::variant<Command, DocumentRequest, ListFolder, ViewRequest, PointerMode, Settings>;
 
+/// A sheet that lies on the drawing.
+struct PanelSheet {
+  std::string name;  ///< the part of its targets' names before the slash
+  Vec2 low_px, high_px;
+};
+
 /// A thing that can be tapped, as tests and helpers for the blind know it.
 struct PanelTarget {
   std::string name;  ///< "Tools/Undo": its panel and what it says
@@ -51,7 +57,8 @@ struct PanelOutput {
   std::optional<SetNumber> trial;
   std::optional<size_t> preview;  ///< index of the suggestion to show as wire frame
   bool takes_pointer = false;     ///< the pointer is the panels'; draw no ink, orbit nothing
-  bool takes_keys = false;        ///< a text field is active
+  bool takes_keys = false;  ///< a text field is active, or a key of this frame moved or pressed
+                            ///< what has the focus, or opened or closed a sheet
 
   render::UiMesh mesh;  ///< its texture 0 is `letters`
   bool changed = true;  ///< the mesh differs from the one before
@@ -59,6 +66,7 @@ struct PanelOutput {
   /// pointers.
   std::shared_ptr<const render::Image> letters;
 
+  std::vector<PanelSheet> sheets;    ///< that are shown, from back to front
   std::vector<PanelTarget> targets;  ///< in the order in which Tab goes through them
   std::string focus;                 ///< the target's name that Enter presses; "" none
   std::vector<PanelText> texts;

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/keyboard.h"
+#include "app/panels/node_sheet.h"
+#include "app/panels/queries.h"
+#include "app/panels/rules_sheet.h"
+#include "app/panels/sheet_keys.h"
+#include "app/panels/sheets.h"
 #include "app/panels/status.h"
 #include "app/panels/suggestions.h"
 #include "app/panels/tools.h"
@@ -51,18 +57,26 @@ class Panels::Parts {
 
  private:
   void Feed(const PanelEvent& event);
+  bool TypesOnScreen(const PanelEvent& event);
+  void FeedKey(const KeyEvent& key);
   void Once(double step_s);
   void DrawAll();
+  void DrawColumn();
+  bool keyboard_shown() const { return ui_.field_active() && !view_.has_keys; }
   void Obey();
 
   FontFiles files_;
   ImGuiHost host_;
   Ui ui_;
   Memory memory_;
+  ScreenKeyboard keyboard_;
+  Box keyboard_box_;
+  bool keyboard_held_ = false;  ///< the pointer came down on it
   double scale_ = 0;
   double now_s_ = 0;
-  size_t obeyed_ = 0;  ///< commands that view_ already knows of
-  PanelView view_;     ///< of this frame, with what its commands have changed
+  bool took_key_ = false;  ///< a key of this frame was the panels'
+  size_t obeyed_ = 0;      ///< commands that view_ already knows of
+  PanelView view_;         ///< of this frame, with what its commands have changed
   Seen seen_;
   PanelOutput output_;
 };
@@ -81,6 +95,7 @@ const PanelOutput& Panels::Parts::Frame(const PanelView& view, const PanelInput&
   output_.commands.clear();
   obeyed_ = 0;
   output_.changed = false;
+  took_key_ = false;
   const bool drawing = seen_.pen_down && view.pen.down && input.events.empty();
   const bool same = seen_.session == view.session && seen_.size_px == view.size_px;
   if (drawing && same && !ui_.WouldStepAside(view.pen)) return output_;
@@ -105,20 +120,47 @@ const PanelOutput& Panels::Parts::Frame(const PanelView& view, const PanelInput&
   output_.changed = !(output_.mesh == before);
   output_.takes_pointer = ui_.pointer_over();
   output_.focus = ui_.focus();
-  output_.takes_keys = ui_.field_active();
+  output_.takes_keys = took_key_ || ui_.field_active();
   return output_;
 }
 
 void Panels::Parts::Feed(const PanelEvent& event) {
-  const auto* key = std::get_if<KeyEvent>(&event);
-  if (key && key->repeat) {  // to the fields each is a press of its own
-    KeyEvent let_go = *key;
+  if (TypesOnScreen(event)) return;
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return FeedKey(*key);
+  host_.Feed(event);
+}
+
+/// Whether the event is the keyboard's on the screen: the field that it types into keeps the focus.
+bool Panels::Parts::TypesOnScreen(const PanelEvent& event) {
+  const auto* pointer = std::get_if<PanelPointer>(&event);
+  const bool gone = std::holds_alternative<PanelPointerGone>(event);
+  if (keyboard_held_ && (gone || (pointer && !pointer->down))) {
+    keyboard_held_ = false;
+    keyboard_.Release();
+    return true;
+  }
+  if (!pointer || !keyboard_shown() || !keyboard_box_.Contains(pointer->px)) return keyboard_held_;
+  if (!pointer->down || keyboard_held_) return true;
+  keyboard_held_ = true;
+  for (const KeyEvent& key : keyboard_.Press(pointer->px, keyboard_box_, scale_)) {
+    FeedKey(key);
+    Once(0);
+  }
+  return true;
+}
+
+void Panels::Parts::FeedKey(const KeyEvent& key) {
+  if (key.repeat) {  // to a field each is a press of its own
+    KeyEvent let_go = key;
     let_go.pressed = false;
     host_.Feed(let_go);
     Once(0);
   }
-  host_.Feed(event);
-  if (key) ui_.FeedKey(*key);
+  host_.Feed(key);
+  if (ui_.field_active() || !PressSheetKey(key, host_.control(), &memory_)) return ui_.FeedKey(key);
+  took_key_ = true;
+  const bool lists = memory_.open == Sheet::kOpen || memory_.open == Sheet::kSaveAs;
+  if (lists) output_.commands.push_back(ListFolder{view_.files.folder});
 }
 
 void Panels::Parts::Once(double step_s) {
@@ -127,19 +169,47 @@ void Panels::Parts::Once(double step_s) {
   DrawAll();
   ui_.End();
   output_.mesh = host_.Render();
+  took_key_ = took_key_ || ui_.took_key();
   Obey();
 }
 
 void Panels::Parts::DrawAll() {
   output_.preview.reset();
-  LayoutNeeds needs{view_.size_px,       scale_,     view_.settings.left_handed,
-                    memory_.rules_shown, kToolCount, kMenuCount};
+  Vec2 size = view_.size_px;
+  if (keyboard_shown()) {
+    const float height = ScreenKeyboard::Height(scale_);
+    keyboard_box_ =
+        BoxAt(0, static_cast<float>(size.y) - height, static_cast<float>(size.x), height);
+    size.y = std::max(1.0, size.y - height);
+  } else {
+    keyboard_.Reset();
+  }
+  const bool left_handed = view_.settings.left_handed;
+  LayoutNeeds needs{size, scale_, left_handed, memory_.rules_shown, kToolCount, kMenuCount};
   needs.bottom_px = StatusHeight(&ui_, memory_, LayoutOf(needs).bottom.width());
   memory_.layout = LayoutOf(needs);
   DrawHead(&ui_, &memory_);
   DrawTools(&ui_, memory_);
-  DrawStatus(&ui_, &memory_);
+  if (!keyboard_shown()) DrawStatus(&ui_, &memory_);
+  DrawColumn();
   output_.preview = DrawSuggestions(&ui_, memory_);
+  DrawQueries(&ui_, memory_);
+  DrawOpenSheet(&ui_, &memory_);
+  if (keyboard_shown()) keyboard_.Draw(&ui_, keyboard_box_);
+}
+
+/// The rules, and under them the node in hand.
+void Panels::Parts::DrawColumn() {
+  if (!memory_.rules_shown) return;
+  Box column = memory_.layout.rules;
+  const auto* node = NodeInHand(view_);
+  if (node) {
+    const float wanted = NodeHeight(&ui_, *node, column.width());
+    const Box below = column.CutBottom(std::min(wanted, column.height() * 0.58f), ui_.U(8));
+    DrawRules(&ui_, &memory_, column);
+    return DrawNode(&ui_, *node, below);
+  }
+  DrawRules(&ui_, &memory_, column.CutTop(RulesHeight(&ui_, column.width())));
 }
 
 /// What a command changed is seen by the next press of the same frame.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/panels/hints.h"
+#include "app/panels/words.h"
 
 namespace parti::app::panels {
 namespace {
@@ -16,22 +17,22 @@ struct Warning {
 
 /// "can't write House.parti: no space left. Free some, or save elsewhere." of an Error.
 std::string Sentence(const Error& error) {
-  const auto capital = [](std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';
-    return text;
-  };
-  std::string words = capital(error.message) + ".";
-  if (!error.hint.empty()) words += " " + capital(error.hint) + ".";
+  std::string words = Capital(error.message) + ".";
+  if (!error.hint.empty()) words += " " + Capital(error.hint) + ".";
   return words;
 }
 
-std::vector<Warning> WarningsOf(const PanelView& view, const Memory& memory) {
+std::vector<Warning> WarningsOf(Ui* ui, const Memory& memory) {
+  const PanelView& view = ui->view();
   std::vector<Warning> warnings;
+  if (!ui->complaint().empty()) {
+    warnings.push_back({Sentence({ErrorCode::kBadText, ui->complaint()}), "", true});
+  }
   if (!view.session) return warnings;
   const DocumentStatus& document = view.session->document;
   if (document.trouble) warnings.push_back({Sentence(*document.trouble), "Save elsewhere", false});
   const auto& failed = view.session->last_error;
-  if (failed && failed->number > memory.dismissed) {
+  if (ui->complaint().empty() && failed && failed->number > memory.dismissed) {
     warnings.push_back({Sentence(failed->error), "", true});
   }
   return warnings;
@@ -70,6 +71,19 @@ float HeightOf(Ui* ui, const Warning& warning, float width) {
   return std::max(ui->U(kMeasures.target + 8), words + ui->U(16));
 }
 
+float DoingWidth(Ui* ui) {
+  return ui->TextWidth(DoingOf(ui->view()).words, Letter::kSmall) + ui->U(36 + 14);
+}
+
+/// Room for the hint, beside its icon and what the document does.
+float HintWidth(Ui* ui, float width) { return width - ui->U(44 + 8) - DoingWidth(ui); }
+
+float HintHeight(Ui* ui, float width) {
+  const Box room{0, 0, HintWidth(ui, width), 0};
+  const float words = ui->Paragraph(HintOf(ui->view()), room, {}, false);
+  return std::max(ui->U(kMeasures.target), words + ui->U(14));
+}
+
 float SheetWidth(Ui* ui, float room) { return std::min(room, ui->U(760)); }
 
 void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
@@ -92,7 +106,10 @@ void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
   if (ui->Button({.name = "Close the message", .icon = Icon::kClose},
                  box.Inset(0, (box.height() - ui->U(kMeasures.target)) / 2))
           .pressed) {
-    memory->dismissed = ui->view().session->last_error->number;
+    const bool failed = ui->view().session && ui->view().session->last_error;
+    if (ui->complaint().empty() && failed)
+      memory->dismissed = ui->view().session->last_error->number;
+    ui->DropComplaint();
   }
 }
 
@@ -100,8 +117,8 @@ void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
 
 float StatusHeight(Ui* ui, const Memory& memory, float width) {
   const float sheet = SheetWidth(ui, width);
-  float height = ui->U(kMeasures.target);
-  for (const Warning& warning : WarningsOf(ui->view(), memory)) {
+  float height = HintHeight(ui, sheet);
+  for (const Warning& warning : WarningsOf(ui, memory)) {
     height += HeightOf(ui, warning, sheet);
   }
   return height;
@@ -112,15 +129,18 @@ void DrawStatus(Ui* ui, Memory* memory) {
   const float width = SheetWidth(ui, room.width());
   Box rest = BoxAt(room.middle_x() - width / 2, room.y0, width, room.height());
   if (!ui->BeginSheet("Status", rest)) return;
-  for (const Warning& warning : WarningsOf(ui->view(), *memory)) {
+  for (const Warning& warning : WarningsOf(ui, *memory)) {
     DrawWarning(ui, memory, warning, rest.CutTop(HeightOf(ui, warning, width)));
   }
   const Doing doing = DoingOf(ui->view());
-  Box right = rest.CutRight(ui->TextWidth(doing.words, Letter::kSmall) + ui->U(40 + 14));
+  Box right = rest.CutRight(DoingWidth(ui));
   ui->Picture(doing.icon, right.CutLeft(ui->U(36)), doing.tone, Ground::kPanel);
   ui->Text(doing.words, right, {Letter::kSmall, doing.tone, Ground::kPanel});
   ui->Picture(Icon::kHint, rest.CutLeft(ui->U(44)), Tone::kAccent, Ground::kPanel);
-  ui->Text(HintOf(ui->view()), rest, {Letter::kBody, Tone::kText, Ground::kPanel});
+  rest.x1 = rest.x0 + HintWidth(ui, width);
+  const std::string hint = HintOf(ui->view());
+  rest.y0 += (rest.height() - ui->Paragraph(hint, rest, {}, false)) / 2;
+  ui->Paragraph(hint, rest);
   ui->EndSheet();
 }
 

@@ -10,13 +10,16 @@ namespace {
 using sketch::Suggestion;
 
 /// Around the last stroke, where it was drawn in this view; else nothing.
-std::optional<Box> LastStroke(const SessionState& state) {
+std::optional<Box> LastStroke(const SessionState& state, const Vec2& size_px) {
   if (state.sketch.strokes.empty()) return std::nullopt;
   const DrawnStroke& last = *state.sketch.strokes.back();
   if (!(last.camera == state.camera) || last.stroke.empty()) return std::nullopt;
+  // The window may have another size since.
+  const Vec2 zoom = size_px / Vec2(state.camera.width_px, state.camera.height_px);
   Box box{1e6f, 1e6f, -1e6f, -1e6f};
-  for (const auto& sample : last.stroke) {
-    const auto x = static_cast<float>(sample.position.x), y = static_cast<float>(sample.position.y);
+  for (const StrokeSample& sample : last.stroke) {
+    const Vec2 at = sample.position * zoom;
+    const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
     box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
   }
   return box;
@@ -64,7 +67,7 @@ std::optional<size_t> DrawSuggestions(Ui* ui, const Memory& memory) {
   if (suggestions.empty()) return std::nullopt;
 
   const float gap = ui->U(kMeasures.gap), side = ui->U(kMeasures.target);
-  const float width = ui->U(kMeasures.card), inner = width - 2 * gap - ui->U(5);
+  const float width = ui->U(kMeasures.card), inner = width - 2 * gap;
   std::vector<CardText> cards;
   float content = 0;
   for (const Suggestion& suggestion : suggestions) {
@@ -73,7 +76,8 @@ std::optional<size_t> DrawSuggestions(Ui* ui, const Memory& memory) {
   }
   const Box free = memory.layout.free;
   const float height = std::min({content + side + 3 * gap, ui->U(340), free.height()});
-  const Box stroke = LastStroke(state).value_or(BoxAt(free.middle_x(), free.middle_y(), 1, 1));
+  const Box stroke =
+      LastStroke(state, ui->view().size_px).value_or(BoxAt(free.middle_x(), free.middle_y(), 1, 1));
   const Box sheet = CardsBeside(stroke, ui->view().pen.position_px, width, height, free,
                                 ui->view().settings.left_handed, ui->U(1));
   if (!ui->BeginSheet("Suggestions", sheet)) return std::nullopt;

@@ -27,7 +27,7 @@ constexpr Palette kLight{
     .on_accent = Rgb(0xffffff),
     .on_note = Rgb(0xf6f3ec),
     .hairline = Rgb(0xd8d1c2),
-    .shadow = Rgb(0x3a3326, 26),
+    .shadow = Rgb(0x3a3326, 4),
 };
 
 constexpr Palette kDark{
@@ -45,7 +45,7 @@ constexpr Palette kDark{
     .on_accent = Rgb(0x17203a),
     .on_note = Rgb(0x23211c),
     .hairline = Rgb(0x4b463f),
-    .shadow = Rgb(0x000000, 70),
+    .shadow = Rgb(0x000000, 7),
 };
 
 double Luminance(Color color) {

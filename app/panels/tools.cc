@@ -31,7 +31,7 @@ std::array<Tool, kToolCount> ToolsOf(const PanelView& view) {
           mode(Icon::kOrbit, "Orbit", "O", PointerMode::kOrbit),
           mode(Icon::kPan, "Pan", "P", PointerMode::kPan),
           mode(Icon::kZoom, "Zoom", "Z", PointerMode::kZoom),
-          Tool{Icon::kFit, "Show all", "F", false, true, ViewRequest::kFit},
+          Tool{Icon::kFit, "Show all", "Home", false, true, ViewRequest::kFit},
           Tool{Icon::kFinger, "Finger draws", "", view.settings.finger_draws, true, finger}};
 }
 

@@ -4,6 +4,8 @@
 
 #include <cfloat>
 
+#include "app/panels/words.h"
+
 namespace parti::app::panels {
 namespace {
 
@@ -44,7 +46,7 @@ void Ui::Begin(const PanelView& view, double scale, PanelOutput* output) {
   touched_ = focus_moved_ = edit_seen_ = drag_seen_ = false;
   pointer_over_ = ImGui::IsAnyItemActive();
   note_.clear();
-  sheets_.clear();
+  output_->sheets.clear();
   if (!view.pen.down) aside_.clear();
   std::swap(places_, places_before_);
   places_.clear();
@@ -55,6 +57,7 @@ void Ui::Begin(const PanelView& view, double scale, PanelOutput* output) {
   style.WindowBorderSize = style.ChildBorderSize = style.FrameBorderSize = 0;
   style.WindowMinSize = {1, 1};
   if (ImGui::IsMouseClicked(0)) focus_.clear();
+  took_key_ = key_ && !editing_.empty();
   if (key_ && key_->pressed) MoveFocus(*key_);
 }
 
@@ -81,6 +84,21 @@ void Ui::Send(PanelCommand command) {
   touched_ = true;
 }
 
+void Ui::SendTyped(const Command& command) {
+  const auto read = ParseCommand(TextOf(command));
+  if (read && *read == command) {
+    complaint_.clear();
+    return Send(command);
+  }
+  const Error error =
+      read ? Error{ErrorCode::kBadText, "that can't be understood", "one name, without blanks"}
+           : read.error();
+  complaint_ = error.message + (error.hint.empty() ? "" : " (" + error.hint + ")");
+  touched_ = true;
+}
+
+void Ui::Try(SetNumber number) { output_->trial = std::move(number); }
+
 bool Ui::StepsAside(const std::string& name, const Box& box) {
   const PanelPen& pen = view_->pen;
   if (!pen.down || !pen.position_px) return false;
@@ -89,8 +107,10 @@ bool Ui::StepsAside(const std::string& name, const Box& box) {
 }
 
 bool Ui::WouldStepAside(const PanelPen& pen) const {
-  if (!pen.down || !pen.position_px) return false;
-  return std::any_of(sheets_.begin(), sheets_.end(), [&](const Box& box) {
+  if (!pen.down || !pen.position_px || !output_) return false;
+  return std::any_of(output_->sheets.begin(), output_->sheets.end(), [&](const PanelSheet& sheet) {
+    const Box box{static_cast<float>(sheet.low_px.x), static_cast<float>(sheet.low_px.y),
+                  static_cast<float>(sheet.high_px.x), static_cast<float>(sheet.high_px.y)};
     return box.DistanceTo(*pen.position_px) < U(kMeasures.reach);
   });
 }
@@ -98,18 +118,19 @@ bool Ui::WouldStepAside(const PanelPen& pen) const {
 bool Ui::BeginSheet(std::string_view name, const Box& box) {
   sheet_ = name;
   if (StepsAside(sheet_, box)) return false;
-  ImDrawList* below = ImGui::GetBackgroundDrawList();
-  for (const float spread : {1.0f, 3.0f, 6.0f}) {
-    const Box shadow = box.Inset(-U(spread)).Moved(0, U(2));
-    below->AddRectFilled(Low(shadow), High(shadow), palette_->shadow / 3 & 0xff000000u,
-                         U(kMeasures.radius + spread));
-  }
   ImGui::SetNextWindowPos(Low(box));
   ImGui::SetNextWindowSize(SizeOf(box));
   ImGui::Begin(sheet_.c_str(), nullptr, kSheetFlags);
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());  // in the order drawn
-  sheets_.push_back(box);
+  output_->sheets.push_back({sheet_, {box.x0, box.y0}, {box.x1, box.y1}});
   pointer_over_ = pointer_over_ || box.Contains(pointer_px());
+  list()->PushClipRectFullScreen();
+  for (float spread = 0.5f; spread < 7; spread += 0.75f) {  // soft: many faint edges
+    const Box shadow = box.Inset(-U(spread)).Moved(0, U(1.5f));
+    list()->AddRectFilled(Low(shadow), High(shadow), palette_->shadow,
+                          U(kMeasures.radius + spread));
+  }
+  list()->PopClipRect();
   Fill(box, Ground::kPanel, kMeasures.radius);
   Border(box, kMeasures.radius);
   return true;
@@ -120,6 +141,7 @@ void Ui::EndSheet() { ImGui::End(); }
 Box Ui::BeginList(std::string_view name, const Box& box, float content_height) {
   const std::string full = Full(std::string(name));
   ImGui::SetCursorScreenPos(Low(box));
+  ImDrawList* sheet = list();
   ImGui::BeginChild(full.c_str(), SizeOf(box), false, kListFlags);
   ScrollWithPointer(full, box);
   list_ = box;
@@ -129,10 +151,10 @@ Box Ui::BeginList(std::string_view name, const Box& box, float content_height) {
     const float part = box.height() / std::max(box.height(), content_height);
     const float y =
         box.y0 + (box.height() * (1 - part)) * ImGui::GetScrollY() / ImGui::GetScrollMaxY();
-    list()->AddRectFilled({box.x1 - U(3), y}, {box.x1, y + box.height() * part}, palette_->hairline,
-                          U(2));
+    sheet->AddRectFilled({box.x1 + U(1), y}, {box.x1 + U(3), y + box.height() * part},
+                         ColorOf(*palette_, Tone::kQuiet, Ground::kPanel), U(2));
   }
-  return {box.x0, top.y, box.x1 - U(5), top.y + content_height};
+  return {box.x0, top.y, box.x1, top.y + content_height};
 }
 
 void Ui::EndList() {
@@ -161,6 +183,18 @@ void Ui::AddTarget(const std::string& full, const Box& box, bool enabled) {
   const bool visible = !list_ || list_->Contains({box.middle_x(), box.middle_y()});
   output_->targets.push_back({full, {box.x0, box.y0}, {box.x1, box.y1}, enabled, visible});
   if (enabled) places_.push_back({full, box, list_.value_or(Box{})});
+}
+
+void Ui::ScrollTo(const Box& part) {
+  if (!list_) return;
+  const float above = list_->y0 - part.y0, below = part.y1 - list_->y1;
+  if (above <= 0 && below <= 0) return;
+  ImGui::SetScrollY(ImGui::GetScrollY() + (above > 0 ? -above : std::min(below, -above)));
+  touched_ = true;
+}
+
+void Ui::NoteTarget(const std::string& name, const Box& box) {
+  output_->targets.push_back({Full(name), {box.x0, box.y0}, {box.x1, box.y1}, true, true});
 }
 
 Press Ui::Area(const std::string& name, const Box& box, bool enabled) {
@@ -265,24 +299,44 @@ void Ui::Text(std::string_view text, const Box& room, const TextLook& look) {
                             ColorOf(*palette_, look.ground)});
 }
 
+std::vector<std::string> Ui::Wrapped(std::string_view text, Letter letter, float width) const {
+  const std::string words = OneLine(KeptTogether(std::string(text)));
+  const float room = width + 0.5f;  // measured and drawn rooms differ by rounding
+  std::vector<std::string> lines(1);
+  for (size_t from = 0; from < words.size();) {
+    const size_t end = std::min(words.find(' ', from), words.size());
+    const std::string word = words.substr(from, end - from);
+    from = end + 1;
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (TextWidth(longer, letter) <= room) {
+      lines.back() = longer;
+      continue;
+    }
+    if (!lines.back().empty()) lines.emplace_back();
+    for (size_t i = 0; i < word.size();) {  // a word longer than a line is broken anywhere
+      size_t next = i + 1;
+      while (next < word.size() && (static_cast<unsigned char>(word[next]) & 0xc0) == 0x80) ++next;
+      const std::string grown = lines.back() + word.substr(i, next - i);
+      if (!lines.back().empty() && TextWidth(grown, letter) > room) {
+        lines.emplace_back();
+        continue;
+      }
+      lines.back() = grown;
+      i = next;
+    }
+  }
+  return lines;
+}
+
 float Ui::Paragraph(std::string_view text, const Box& room, const TextLook& look, bool draw) {
-  const ImFont* font = FontOf(look.letter);
-  const std::string words(text);
-  const char* end = words.data() + words.size();
-  const float wrap = std::max(1.0f, room.width());
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, words.data(), end);
-  if (!draw || words.empty()) return size.y;
-  const Color color = ColorOf(*palette_, look.tone, look.ground);
-  const ImVec2 at{std::floor(room.x0), std::floor(room.y0)};
-  list()->AddText(font, font->FontSize, at, color, words.data(), end, wrap);
-  output_->texts.push_back({words,
-                            {at.x, at.y},
-                            {at.x + size.x, at.y + size.y},
-                            {room.x0, room.y0},
-                            {room.x1, room.y1},
-                            color,
-                            ColorOf(*palette_, look.ground)});
-  return size.y;
+  const float line_height = LineHeight(look.letter);
+  const std::vector<std::string> lines = Wrapped(text, look.letter, room.width());
+  if (draw) {
+    Box rest{room.x0, room.y0, room.x1 + 1,
+             room.y0 + line_height * static_cast<float>(lines.size())};
+    for (const std::string& line : lines) Text(line, rest.CutTop(line_height), look);
+  }
+  return line_height * static_cast<float>(lines.size());
 }
 
 void Ui::Fill(const Box& box, Ground ground, float radius_units) {
@@ -292,6 +346,10 @@ void Ui::Fill(const Box& box, Ground ground, float radius_units) {
 void Ui::Border(const Box& box, float radius_units) {
   list()->AddRect(Low(box), High(box), palette_->hairline, U(radius_units), 0,
                   std::max(1.0f, std::floor(U(1))));
+}
+
+void Ui::Accent(const Box& box) {
+  list()->AddRectFilled(Low(box), High(box), (palette_->accent_text & 0x00ffffffu) | 0x80000000u);
 }
 
 void Ui::Hairline(const Box& above) {

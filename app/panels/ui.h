@@ -74,6 +74,8 @@ class Ui {
   /// Notes a key for keyboard focus and shortcuts; call before Begin, at most one a frame.
   void FeedKey(const KeyEvent& key);
 
+  double scale() const { return scale_; }
+  /// Pixels of a length in the panels' units.
   float U(float units) const { return static_cast<float>(units * scale_); }
   const Palette& palette() const { return *palette_; }
   const PanelView& view() const { return *view_; }
@@ -82,6 +84,14 @@ class Ui {
 
   /// Adds to PanelOutput::commands.
   void Send(PanelCommand command);
+  /// The same for what a person has typed: text that ParseCommand would not read back as this
+  /// command is complained of instead.
+  void SendTyped(const Command& command);
+  /// PanelOutput::trial.
+  void Try(SetNumber number);
+  /// What was wrong with the last that was typed; "" nothing.
+  const std::string& complaint() const { return complaint_; }
+  void DropComplaint() { complaint_.clear(); }
   bool touched() const { return touched_; }  ///< something was pressed or typed in this frame
 
   /// A sheet on the drawing. false: it steps aside for the pen; draw nothing, call no EndSheet.
@@ -96,6 +106,10 @@ class Ui {
   Press Button(const ButtonLook& look, const Box& box);
   /// A press without a look of its own. `name` is unique in its sheet.
   Press Area(const std::string& name, const Box& box, bool enabled = true);
+  /// Scrolls the list being drawn so that a part of it is seen.
+  void ScrollTo(const Box& part);
+  /// Only notes a target that somebody else presses.
+  void NoteTarget(const std::string& name, const Box& box);
   /// What was typed, when it is done with.
   std::optional<std::string> Field(const std::string& name, const Box& box,
                                    const std::string& value, const std::string& hint = {});
@@ -116,6 +130,7 @@ class Ui {
   void Fill(const Box& box, Ground ground, float radius_units);
   /// A hairline around.
   void Border(const Box& box, float radius_units);
+  void Accent(const Box& box);      ///< in the accent's colour, half transparent
   void Hairline(const Box& above);  ///< along its lower edge
   void Picture(Icon icon, const Box& box, Tone tone, Ground ground);
   void Note(const std::string& text, const Box& beside);
@@ -124,6 +139,9 @@ class Ui {
   /// Whether a sheet that is shown would step aside for this pen.
   bool WouldStepAside(const PanelPen& pen) const;
 
+  /// The key of this frame was a field's, or moved or pressed what has the focus.
+  bool took_key() const { return took_key_; }
+  /// Something is being typed.
   bool field_active() const { return !editing_.empty(); }
   /// A name that has the keyboard's focus, "" none.
   const std::string& focus() const { return focus_; }
@@ -151,9 +169,11 @@ class Ui {
   std::optional<std::string> Edit(const std::string& full, const Box& box,
                                   const std::string& value);
   void EditText(const std::string& full, const Box& box, bool* entered);
+  NumberWish Typed(const std::string& text, double before);
   NumberWish Drag(const std::string& full, const NumberLook& look, const Press& press);
   void DrawNote();
   ImFont* FontOf(Letter letter) const;
+  std::vector<std::string> Wrapped(std::string_view text, Letter letter, float width) const;
   std::string Elided(std::string_view text, Letter letter, float width) const;
 
   ImGuiHost* host_;
@@ -166,7 +186,6 @@ class Ui {
 
   std::string sheet_;            // being drawn
   std::optional<Box> list_;      // being drawn
-  std::vector<Box> sheets_;      // drawn in this frame
   std::set<std::string> aside_;  // sheets hidden until the pen is lifted
   std::string scrolling_;        // the list that a press may scroll
   bool scrolls_ = false;         // and does
@@ -182,6 +201,8 @@ class Ui {
   bool focus_moved_ = false;
   std::vector<Place> places_, places_before_;  // where Tab and arrows go
   std::optional<KeyEvent> key_;
+  bool took_key_ = false;
+  std::string complaint_;
   std::string note_;
   Box note_beside_;
 };

@@ -1,10 +1,9 @@
 // Ui's fields: text that is typed, numbers that are dragged, stepped or typed.
-#include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include <charconv>
 #include <cmath>
 
+#include "app/length_text.h"
 #include "app/panels/ui.h"
 #include "app/panels/words.h"
 
@@ -17,17 +16,6 @@ int Resize(ImGuiInputTextCallbackData* data) {
   text->resize(static_cast<size_t>(data->BufTextLen));
   data->Buf = text->data();
   return 0;
-}
-
-/// "3", "3.5 m", "3,5": with or without a unit, with a comma as many type it.
-std::optional<double> NumberIn(std::string text) {
-  std::replace(text.begin(), text.end(), ',', '.');
-  const size_t from = text.find_first_not_of(" +");
-  if (from == std::string::npos) return std::nullopt;
-  double number = 0;
-  const auto read = std::from_chars(text.data() + from, text.data() + text.size(), number);
-  if (read.ec != std::errc() || !std::isfinite(number)) return std::nullopt;
-  return number;
 }
 
 double Rounded(double value, double step) { return std::round(value / step) * step; }
@@ -61,6 +49,7 @@ std::optional<std::string> Ui::Edit(const std::string& full, const Box& box,
                                     const std::string& value) {
   edit_seen_ = true;
   AddTarget(full, box, true);
+  if (edit_age_ < 3) ScrollTo(box);
   bool entered = false;
   EditText(full, box, &entered);
   const bool given_up = ++edit_age_ > 3 && !ImGui::IsItemActive() && !entered;
@@ -107,13 +96,9 @@ void Ui::EditText(const std::string& full, const Box& box, bool* entered) {
 NumberWish Ui::Number(const NumberLook& look, const Box& box) {
   const std::string full = Full(look.name);
   Fill(box, Ground::kRaised, kMeasures.small_radius);
-  Border(box, kMeasures.small_radius);
   if (editing_ == full) {
     const auto typed = Edit(full, box, PlainNumber(look.value));
-    const auto number = typed ? NumberIn(*typed) : std::nullopt;
-    if (!number) return {};
-    const double within = std::clamp(*number, look.low, look.high);
-    return within == look.value ? NumberWish{} : NumberWish{std::nullopt, within};
+    return typed ? Typed(*typed, look.value) : NumberWish{};
   }
   Box rest = box;
   const Box less = rest.CutLeft(U(kMeasures.target)), more = rest.CutRight(U(kMeasures.target));
@@ -140,11 +125,19 @@ NumberWish Ui::Number(const NumberLook& look, const Box& box) {
        {look.changed ? Letter::kStrong : Letter::kBody, look.changed ? Tone::kAccent : Tone::kText,
         Ground::kRaised, 0.5f});
   if (Button(plus, more).pressed) step(big);
+  Border(box, kMeasures.small_radius);
   if (wish.commit) return wish;
   if (press.pressed && dragging_ != full && !dragged.commit) {
     StartEdit(full, PlainNumber(look.value));
   }
   return dragged;
+}
+
+NumberWish Ui::Typed(const std::string& text, double before) {
+  const auto number = ParseLength(text);
+  complaint_ = number ? "" : number.error().message;
+  if (!number || *number == before) return {};
+  return {std::nullopt, *number};
 }
 
 NumberWish Ui::Drag(const std::string& full, const NumberLook& look, const Press& press) {

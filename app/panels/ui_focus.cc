@@ -23,8 +23,13 @@ void Ui::MoveFocus(const KeyEvent& key) {
     if (!editing_.empty()) ImGui::ClearActiveID();  // the field takes what was typed
     FocusNext(ImGui::GetIO().KeyShift ? -1 : 1);
   }
-  if (!editing_.empty() || focus_.empty()) return;
+  if (!editing_.empty() || focus_.empty() || ImGui::GetIO().KeyShift) return;
+  const bool arrow =
+      key.code == KEY_LEFT || key.code == KEY_RIGHT || key.code == KEY_UP || key.code == KEY_DOWN;
+  took_key_ = took_key_ || arrow || key.code == KEY_ESC;
   switch (key.code) {
+    case KEY_ESC:
+      return focus_.clear();
     case KEY_LEFT:
       return FocusBeside(-1, 0);
     case KEY_RIGHT:
@@ -46,7 +51,7 @@ void Ui::FocusNext(int step) {
   const auto i = static_cast<int>(at - places_before_.begin());
   const int next = i == n ? (step > 0 ? 0 : n - 1) : (i + step + n) % n;
   focus_ = places_before_[static_cast<size_t>(next)].name;
-  focus_moved_ = true;
+  focus_moved_ = took_key_ = true;
 }
 
 void Ui::FocusBeside(int dx, int dy) {
@@ -70,7 +75,10 @@ bool Ui::TakeEnter(const std::string& full) {
   if (focus_ != full || !editing_.empty() || !key_ || !key_->pressed || key_->repeat) return false;
   const bool enter =
       key_->code == KEY_ENTER || key_->code == KEY_KPENTER || key_->code == KEY_SPACE;
-  if (enter) key_.reset();
+  if (enter) {
+    key_.reset();
+    took_key_ = true;
+  }
   return enter;
 }
 
@@ -79,12 +87,7 @@ void Ui::ShowFocus(const std::string& full, const Box& box) {
   const Box ring = box.Inset(U(1.5f));
   list()->AddRect({ring.x0, ring.y0}, {ring.x1, ring.y1}, palette_->accent_text,
                   U(kMeasures.small_radius), 0, U(2));
-  if (!focus_moved_ || !list_) return;
-  // What Tab goes to is scrolled into sight.
-  const float above = list_->y0 - box.y0, below = box.y1 - list_->y1;
-  if (above > 0) ImGui::SetScrollY(ImGui::GetScrollY() - above);
-  if (below > 0) ImGui::SetScrollY(ImGui::GetScrollY() + below);
-  touched_ = true;
+  if (focus_moved_) ScrollTo(box);
 }
 
 }  // namespace parti::app::panels

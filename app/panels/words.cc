@@ -80,8 +80,7 @@ std::string Repeated(const Action& action) {
 
 /// Of operations without words of their own: their name, with a capital, and their numbers.
 std::string Named(const Action& action) {
-  std::string words(action.operation->name);
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] -= 'a' - 'A';
+  std::string words = Capital(std::string(action.operation->name));
   for (size_t i = 0; i < action.arguments.size() && i < action.operation->parameters.size(); ++i) {
     if (const auto* text = std::get_if<std::string>(&action.arguments[i])) words += " " + *text;
     if (!std::holds_alternative<double>(action.arguments[i])) continue;
@@ -124,6 +123,26 @@ void AddSymbols(const std::vector<Successor>& successors, std::vector<std::strin
 }
 
 }  // namespace
+
+std::string Capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';
+  return text;
+}
+
+std::string KeptTogether(const std::string& text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string kept;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const bool after_number = text[i] == ' ' && i > 0 && is_digit(text[i - 1]);
+    const bool before_word = i + 1 < text.size() && !is_digit(text[i + 1]);
+    if (after_number && before_word) {
+      kept += "\u00a0";
+    } else {
+      kept += text[i];
+    }
+  }
+  return kept;
+}
 
 std::string PlainNumber(double value) {
   if (!std::isfinite(value)) return "?";

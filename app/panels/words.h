@@ -10,6 +10,12 @@
 
 namespace parti::app::panels {
 
+/// With a capital first letter, where that is one of a to z: messages that stand alone.
+std::string Capital(std::string text);
+
+/// A line that lets no number and its unit part: "19 m" with a blank that doesn't break.
+std::string KeptTogether(const std::string& text);
+
 /// As people write it: "3", "2.5", "0.05"; at most three places, no trailing zeros, "-" before
 /// negative ones; reads back as a number.
 std::string PlainNumber(double value);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "app/replay.h"
 #include "app/session.h"
@@ -28,14 +29,15 @@ const PanelOutput& PanelDriver::Frame(std::vector<PanelEvent> events) {
 
 bool PanelDriver::Shows(const std::string& name) {
   const auto& targets = Frame().targets;
-  return std::any_of(targets.begin(), targets.end(),
-                     [&](const PanelTarget& t) { return t.name.ends_with(name); });
+  return std::any_of(targets.begin(), targets.end(), [&](const PanelTarget& t) {
+    return t.name.ends_with(name) || t.name.starts_with(name);
+  });
 }
 
 PanelTarget PanelDriver::Find(const std::string& name) {
   std::string all;
   for (const PanelTarget& target : Frame().targets) {
-    if (target.name.ends_with(name)) return target;
+    if (target.name.ends_with(name) || target.name.starts_with(name)) return target;
     all += target.name + ", ";
   }
   ADD_FAILURE() << "no " << name << " among " << all;
@@ -92,43 +94,80 @@ std::vector<PanelCommand> PanelDriver::PressByKeys(const std::string& name) {
 
 namespace {
 
-std::shared_ptr<const SessionSnapshot> SnapshotOf(const SessionState& state, bool undo) {
+std::shared_ptr<const SessionSnapshot> SnapshotOf(const SessionState& state) {
   auto snapshot = std::make_shared<SessionSnapshot>();
   snapshot->state = std::make_shared<const SessionState>(state);
   snapshot->document = {.path = "House.parti", .named = true};
-  snapshot->can_undo = undo;
+  snapshot->can_undo = true;
   return snapshot;
 }
 
 constexpr const char* kStop = "as far as asked for";
 
 /// Plays the house until `stop` says so, before a command.
-std::shared_ptr<const SessionSnapshot> Played(
-    const std::function<bool(const Session&, const Command&)>& stop) {
+Session Played(const std::function<bool(const Command&)>& stop) {
   const auto text = ReadFile(parti::tests::SourceFile("assets/drawings/house.pen"));
   EXPECT_TRUE(text);
   Session session;
   ReplayReport report;
   report.before_command = [&](const Command& command) -> Result<void> {
-    if (stop(session, command)) return Fail(ErrorCode::kNothingMade, kStop);
+    if (stop(command)) return Fail(ErrorCode::kNothingMade, kStop);
     return {};
   };
   const auto played = Replay(input::ReadDrawing(*text).drawing, &session, &report);
   EXPECT_TRUE(played || played.error().message.ends_with(kStop));
-  return SnapshotOf(session.state(), true);
+  return session;
+}
+
+/// Played once for all tests: it takes a moment.
+const Session& House() {
+  static const Session session = Played([](const Command&) { return false; });
+  return session;
 }
 
 }  // namespace
 
 std::shared_ptr<const SessionSnapshot> HouseBeforePick(int pick) {
+  static std::map<int, std::shared_ptr<const SessionSnapshot>> played;
+  auto& snapshot = played[pick];
+  if (snapshot) return snapshot;
   int picks = 0;
-  return Played([&, pick](const Session&, const Command& command) {
+  const Session session = Played([&picks, pick](const Command& command) {
     return std::holds_alternative<Pick>(command) && ++picks == pick;
   });
+  return snapshot = SnapshotOf(session.state());
 }
 
-std::shared_ptr<const SessionSnapshot> WholeHouse() {
-  return Played([](const Session&, const Command&) { return false; });
+std::shared_ptr<const SessionSnapshot> WholeHouse() { return SnapshotOf(House().state()); }
+
+std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps) {
+  Session session = House();
+  const Model& model = session.state().model;
+  const auto glass = grammar::ProductOf(*grammar::ParseQuery(".Glass"), model.derived[0]->tree);
+  EXPECT_TRUE(glass);
+  for (size_t i = 0; i < static_cast<size_t>(taps); ++i) {
+    EXPECT_TRUE(session.Execute(Select{{IdOf(model, {0, (*glass)[i]})}}));
+  }
+  return SnapshotOf(session.state());
+}
+
+std::shared_ptr<const SessionSnapshot> Taken(std::shared_ptr<const SessionSnapshot> session,
+                                             const NodePath& path) {
+  SessionState state = *session->state;
+  state.in_hand = path;
+  auto taken = std::make_shared<SessionSnapshot>(*session);
+  taken->state = std::make_shared<const SessionState>(std::move(state));
+  return taken;
+}
+
+std::shared_ptr<const SessionSnapshot> InTrouble(std::shared_ptr<const SessionSnapshot> session) {
+  auto troubled = std::make_shared<SessionSnapshot>(*session);
+  troubled->document.trouble =
+      Error{ErrorCode::kFile, "can't write House.parti: the disk is full",
+            "free some space, or save elsewhere; nothing is lost while the program runs"};
+  troubled->last_error = FailedRequest{
+      3, {ErrorCode::kBadNumber, "distance 20000 is outside its range", "from -10000 to 10000"}};
+  return troubled;
 }
 
 }  // namespace parti::app::tests

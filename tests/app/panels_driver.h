@@ -18,8 +18,8 @@ class PanelDriver {
 
   /// One frame with these events.
   const PanelOutput& Frame(std::vector<PanelEvent> events = {});
-  /// The target whose name ends with this, e.g. "Tools/Undo" or "Undo"; fails the test, and gives
-  /// an empty one, where there is none.
+  /// The first target whose name begins or ends with this: "Tools/Undo", "Undo"; fails the test,
+  /// and gives an empty one, where there is none.
   PanelTarget Find(const std::string& name);
   bool Shows(const std::string& name);
   /// A tap in its middle: what a pen does, coming from nowhere. Returns what came of it.
@@ -51,5 +51,13 @@ Vec2 MiddleOf(const PanelTarget& target);
 std::shared_ptr<const SessionSnapshot> HouseBeforePick(int pick);
 /// The house with all its rules.
 std::shared_ptr<const SessionSnapshot> WholeHouse();
+
+/// The house with windows tapped.
+std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps);
+/// The same with a node in hand.
+std::shared_ptr<const SessionSnapshot> Taken(std::shared_ptr<const SessionSnapshot> session,
+                                             const NodePath& path);
+/// The same with a full disk, and a command that failed.
+std::shared_ptr<const SessionSnapshot> InTrouble(std::shared_ptr<const SessionSnapshot> session);
 
 }  // namespace parti::app::tests

@@ -1,0 +1,92 @@
+// The document's sheets: new, open, save as, recent, with a list of files of our own. Names come
+// in PanelView::files; nothing is read or written here.
+#include "app/panels/sheet_rows.h"
+
+namespace parti::app::panels {
+namespace {
+
+constexpr const char* kEnding = ".parti";
+
+std::string WithEnding(const std::string& name) {
+  return name.ends_with(kEnding) ? name : name + kEnding;
+}
+
+std::string NameNow(const PanelView& view) {
+  if (!view.session || !view.session->document.named) return "House";
+  const std::string name = NameIn(view.session->document.path);
+  return name.ends_with(kEnding) ? name.substr(0, name.size() - 6) : name;
+}
+
+void Go(Ui* ui, Memory* memory, Sheet sheet) {
+  memory->open = sheet;
+  memory->file_name = NameNow(ui->view());
+  ui->Send(ListFolder{ui->view().files.folder});
+}
+
+void Ask(Ui* ui, Memory* memory, DocumentRequest request) {
+  ui->Send(std::move(request));
+  memory->open = Sheet::kNone;
+}
+
+/// The folder, the way up, and what lies in it; a document that was tapped.
+std::optional<std::string> FileRows(Ui* ui, Form* form) {
+  const PanelFiles& files = ui->view().files;
+  form->Label(files.folder);
+  const ButtonLook up{
+      .name = "The folder above", .icon = Icon::kUp, .enabled = files.folder.size() > 1};
+  if (form->Choice(up)) ui->Send(ListFolder{FolderOf(files.folder)});
+  std::optional<std::string> tapped;
+  for (const PanelFile& file : files.here) {
+    const Icon icon = file.is_folder ? Icon::kFolder : Icon::kDocument;
+    if (!form->Choice({.name = file.name, .icon = icon})) continue;
+    if (file.is_folder) {
+      ui->Send(ListFolder{Joined(files.folder, file.name)});
+    } else {
+      tapped = file.name;
+    }
+  }
+  if (files.here.empty()) form->Words("There are no documents in this folder.");
+  return tapped;
+}
+
+}  // namespace
+
+void DocumentRows(Ui* ui, Memory* memory, Form* form) {
+  using Kind = DocumentRequest::Kind;
+  const PanelFiles& files = ui->view().files;
+  if (form->Heading("Document")) memory->open = Sheet::kNone;
+  if (form->Choice({.name = "New", .icon = Icon::kNew})) Ask(ui, memory, {Kind::kNew});
+  if (form->Choice({.name = "Open…", .icon = Icon::kOpen})) Go(ui, memory, Sheet::kOpen);
+  if (form->Choice({.name = "Save as…", .icon = Icon::kSave})) Go(ui, memory, Sheet::kSaveAs);
+  const ButtonLook record{.name = "Record for a bug report", .icon = Icon::kRecord};
+  if (form->Choice(record)) {
+    Ask(ui, memory, {Kind::kRecordForReport, Joined(files.folder, "parti-report.pen")});
+  }
+  if (files.recent.empty()) return;
+  form->Label("Recent");
+  for (const std::string& path : files.recent) {
+    const ButtonLook look{.name = "Recent " + path, .icon = Icon::kDocument, .label = NameIn(path)};
+    if (form->Choice(look, FolderOf(path))) Ask(ui, memory, {Kind::kOpen, path});
+  }
+}
+
+void OpenRows(Ui* ui, Memory* memory, Form* form) {
+  if (form->Heading("Open a document")) memory->open = Sheet::kNone;
+  if (const auto name = FileRows(ui, form)) {
+    const std::string path = Joined(ui->view().files.folder, *name);
+    Ask(ui, memory, {DocumentRequest::Kind::kOpen, path});
+  }
+}
+
+void SaveAsRows(Ui* ui, Memory* memory, Form* form) {
+  if (form->Heading("Save as")) memory->open = Sheet::kNone;
+  if (const auto typed = form->Field("Name", memory->file_name)) memory->file_name = *typed;
+  const bool named = !memory->file_name.empty();
+  if (form->Action("Save here", named)) {
+    const std::string path = Joined(ui->view().files.folder, WithEnding(memory->file_name));
+    return Ask(ui, memory, {DocumentRequest::Kind::kSaveAs, path});
+  }
+  if (const auto name = FileRows(ui, form)) memory->file_name = *name;
+}
+
+}  // namespace parti::app::panels

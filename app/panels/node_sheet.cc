@@ -1,0 +1,252 @@
+#include "app/panels/node_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/panels/words.h"
+#include "grammar/operation.h"
+#include "grammar/query.h"
+
+namespace parti::app::panels {
+namespace {
+
+using grammar::Action;
+using grammar::Dial;
+using grammar::ParameterKind;
+using grammar::SelectionActionNode;
+
+/// A number of the node, and what the table says of it.
+struct NumberRow {
+  Dial dial;
+  std::string label, range;
+  std::optional<double> usual;  ///< its default
+};
+
+/// A part of an operation that is no number: its axis, its words.
+struct WordRow {
+  std::string label, value;
+};
+
+const grammar::Parameter* ParameterNamed(const Action& action, std::string_view name) {
+  const auto parameters = action.operation->parameters;
+  const auto at = std::find_if(parameters.begin(), parameters.end(),
+                               [&](const auto& p) { return p.name == name; });
+  return at == parameters.end() ? nullptr : &*at;
+}
+
+/// "Size of Ground" for sizes[0].
+std::string LabelOf(const Action& action, const Dial& dial) {
+  std::string label = dial.name;
+  int number = 0;
+  if (std::sscanf(dial.name.c_str(), "sizes[%d]", &number) == 1 && number >= 0) {
+    const grammar::Successor& successor = grammar::SuccessorAt(action, number);
+    const auto* size = std::get_if<grammar::Size>(&successor.key);
+    const bool part = size && size->kind == grammar::Size::Kind::kRelative;
+    const bool stretches = size && size->kind == grammar::Size::Kind::kFloating;
+    label = successor.symbol.empty() ? fmt::format("{}", number + 1) : successor.symbol;
+    label = (part ? "part of " : "size of ") + label + (stretches ? ", stretches" : "");
+  }
+  return Capital(label);
+}
+
+std::vector<NumberRow> NumbersOf(Action* action) {
+  std::vector<NumberRow> rows;
+  for (const Dial& dial : grammar::Dials(action)) {
+    NumberRow row{dial, LabelOf(*action, dial), {}, {}};
+    const std::string unit = UnitOf(dial.kind);
+    row.range = fmt::format("{} to {}{}", PlainNumber(dial.low), PlainNumber(dial.high),
+                            unit.empty() ? "" : " " + unit);
+    if (const auto* parameter = ParameterNamed(*action, dial.name)) {
+      if (const auto* usual = std::get_if<double>(&parameter->default_value)) row.usual = *usual;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<WordRow> WordsIn(const Action& action) {
+  std::vector<WordRow> rows;
+  const auto parameters = action.operation->parameters;
+  for (size_t i = 0; i < std::min(parameters.size(), action.arguments.size()); ++i) {
+    const grammar::Argument& argument = action.arguments[i];
+    const std::string label = Capital(std::string(parameters[i].name));
+    if (const auto* axis = std::get_if<grammar::Axis>(&argument)) {
+      rows.push_back({label, std::string(grammar::NameOf(*axis))});
+    } else if (const auto* text = std::get_if<std::string>(&argument);
+               text && parameters[i].words.size() != 1) {  // of one word there is no choice
+      rows.push_back({label, *text});
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> Symbols(const Action& action) {
+  std::vector<std::string> symbols;
+  const std::string all = SymbolsOf(action);
+  for (size_t from = 0; from < all.size();) {
+    const size_t comma = std::min(all.find(", ", from), all.size());
+    symbols.push_back(all.substr(from, comma - from));
+    from = comma + 2;
+  }
+  return symbols;
+}
+
+double StepOf(ParameterKind kind) {
+  return kind == ParameterKind::kLength ? 0.05 : kind == ParameterKind::kAngle ? 1 : 0.01;
+}
+
+/// Draws row after row, or only measures where `draw` is false.
+class NodeRows {
+ public:
+  NodeRows(Ui* ui, const SelectionActionNode& node, const Box& room, bool draw)
+      : ui_(ui), node_(node), rest_(room), top_(room.y0), draw_(draw) {}
+
+  float Run() {
+    Action action = node_.action;
+    Query();
+    for (const NumberRow& row : NumbersOf(&action)) Number(row);
+    for (const WordRow& row : WordsIn(node_.action)) Word(row);
+    bool first = true;
+    for (const std::string& symbol : Symbols(node_.action)) {
+      Symbol(symbol, first);
+      first = false;
+    }
+    return y_;
+  }
+
+ private:
+  /// The next `height` px; measuring counts them, drawing cuts them off.
+  Box Take(float height, float gap_units) {
+    y_ += height + ui_->U(gap_units);
+    const Box box{rest_.x0, top_, rest_.x1, top_ + height};
+    top_ += height + ui_->U(gap_units);
+    return box;
+  }
+
+  void Label(const std::string& label, const std::string& beside) {
+    const Box box = Take(ui_->LineHeight(Letter::kSmall), 3);
+    if (!draw_) return;
+    const float width = ui_->TextWidth(label, Letter::kSmall) + ui_->U(10);
+    ui_->Text(label, {box.x0, box.y0, box.x1, box.y1}, {Letter::kSmall, Tone::kQuiet});
+    ui_->Text(beside, {std::min(box.x0 + width, box.x1), box.y0, box.x1, box.y1},
+              {Letter::kSmall, Tone::kQuiet, Ground::kPanel, 1});
+  }
+
+  void Query() {
+    Label("Acts on", "");
+    const Box box = Take(ui_->U(kMeasures.target), 10);
+    if (!draw_) return;
+    if (const auto typed = ui_->Field("Acts on", box, grammar::TextOf(node_.query))) {
+      ui_->SendTyped(SetQuery{*typed});
+    }
+  }
+
+  void Number(const NumberRow& row) {
+    const double value = *row.dial.value;
+    const bool changed = row.usual && *row.usual != value;
+    Label(row.label, row.range);
+    Box box = Take(ui_->U(kMeasures.target), 3);
+    if (draw_) {
+      const NumberLook look{
+          row.dial.name,         value,  row.dial.low, row.dial.high, StepOf(row.dial.kind),
+          UnitOf(row.dial.kind), changed};
+      const NumberWish wish = ui_->Number(look, box);
+      if (wish.trial) ui_->Try({row.dial.name, *wish.trial});
+      if (wish.commit) ui_->SendTyped(SetNumber{row.dial.name, *wish.commit});
+    }
+    if (row.usual) Usual(row, changed);
+    Take(0, 7);
+  }
+
+  /// The default: named, and to be had again where it was overridden.
+  void Usual(const NumberRow& row, bool changed) {
+    const std::string unit = UnitOf(row.dial.kind);
+    const std::string number = PlainNumber(*row.usual) + (unit.empty() ? "" : " " + unit);
+    const Box box = Take(ui_->U(changed ? kMeasures.target : 20), 0);
+    if (!draw_) return;
+    if (!changed) {
+      return ui_->Text("As usual: " + number, box, {Letter::kSmall, Tone::kQuiet});
+    }
+    const ButtonLook look{.name = "Usual " + row.dial.name,
+                          .icon = Icon::kReset,
+                          .label = "Back to the usual " + number};
+    if (ui_->Button(look, box).pressed) ui_->SendTyped(SetNumber{row.dial.name, *row.usual});
+  }
+
+  void Word(const WordRow& row) {
+    const Box box = Take(ui_->U(28), 4);
+    if (!draw_) return;
+    ui_->Text(row.label, box, {Letter::kSmall, Tone::kQuiet});
+    ui_->Text(row.value, box, {Letter::kBody, Tone::kText, Ground::kPanel, 1});
+  }
+
+  void Symbol(const std::string& symbol, bool first) {
+    if (first) Label("Gives", "");
+    const Box box = Take(ui_->U(kMeasures.target), 6);
+    if (!draw_) return;
+    if (const auto typed = ui_->Field("Name of " + symbol, box, symbol)) {
+      ui_->SendTyped(RenameSymbol{symbol, *typed});
+    }
+  }
+
+  Ui* ui_;
+  const SelectionActionNode& node_;
+  Box rest_;
+  float top_;
+  bool draw_;
+  float y_ = 0;
+};
+
+float HeadHeight(Ui* ui) { return ui->U(kMeasures.target); }
+
+Box Rows(Ui* ui, const Box& box) {
+  return {box.x0 + ui->U(12), box.y0, box.x1 - ui->U(12), box.y1};
+}
+
+}  // namespace
+
+const SelectionActionNode* NodeInHand(const PanelView& view) {
+  if (!view.session) return nullptr;
+  const SessionState& state = *view.session->state;
+  const NodePath& path = state.in_hand;
+  const grammar::Trees& trees = state.model.trees();
+  if (path.size() < 2 || path[0] < 0 || path[0] >= static_cast<int>(trees.size())) return nullptr;
+  const std::vector<SelectionActionNode>* nodes = &trees[static_cast<size_t>(path[0])].nodes;
+  const SelectionActionNode* node = nullptr;
+  for (size_t i = 1; i < path.size(); ++i) {
+    if (path[i] < 0 || path[i] >= static_cast<int>(nodes->size())) return nullptr;
+    node = &(*nodes)[static_cast<size_t>(path[i])];
+    nodes = &node->children;
+  }
+  return node && node->action.operation ? node : nullptr;
+}
+
+float NodeHeight(Ui* ui, const SelectionActionNode& node, float width) {
+  const Box room = Rows(ui, {0, 0, width - ui->U(2 * kMeasures.gap), 0});
+  const float doc = ui->Paragraph(node.action.operation->doc, room, {Letter::kSmall}, false);
+  return HeadHeight(ui) + doc + ui->U(28) + NodeRows(ui, node, room, false).Run();
+}
+
+void DrawNode(Ui* ui, const SelectionActionNode& node, const Box& box) {
+  if (!ui->BeginSheet("Node", box)) return;
+  Box rest = box.Inset(ui->U(kMeasures.gap));
+  Box head = rest.CutTop(HeadHeight(ui), ui->U(8));
+  ui->Hairline(head);
+  if (ui->Button({.name = "Let go", .icon = Icon::kClose}, head.CutRight(ui->U(kMeasures.target)))
+          .pressed) {
+    ui->Send(Command(Take{}));
+  }
+  ui->Picture(IconOf(node.action), head.CutLeft(ui->U(40)), Tone::kAccent, Ground::kPanel);
+  ui->Text(node.action.operation->word, head, {Letter::kStrong});
+  const TextLook small{Letter::kSmall, Tone::kQuiet};
+  const Box words = Rows(ui, rest);
+  rest.CutTop(ui->Paragraph(node.action.operation->doc, words, small), ui->U(8));
+  const float content = NodeRows(ui, node, Rows(ui, rest), false).Run();
+  const Box list = ui->BeginList("list", rest, content);
+  NodeRows(ui, node, Rows(ui, list), true).Run();
+  ui->EndList();
+  ui->EndSheet();
+}
+
+}  // namespace parti::app::panels

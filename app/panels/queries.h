@@ -1,0 +1,13 @@
+// What may be meant by tapped shapes: a card for each query, in plain words, with its count.
+// Which queries there are is grammar/generalise.h's.
+#pragma once
+
+#include "app/panels/memory.h"
+#include "app/panels/ui.h"
+
+namespace parti::app::panels {
+
+/// Draws the cards beside the tap.
+void DrawQueries(Ui* ui, const Memory& memory);
+
+}  // namespace parti::app::panels

@@ -1,0 +1,16 @@
+// The selection-action tree: one row for each node, what it selects and what it does.
+// Which rows there are, and where they may be dropped, is tree_rows.h's.
+#pragma once
+
+#include "app/panels/memory.h"
+#include "app/panels/ui.h"
+
+namespace parti::app::panels {
+
+/// How high it would like to be, px.
+float RulesHeight(Ui* ui, float width);
+
+/// Draws it into `box`; it scrolls where that is lower.
+void DrawRules(Ui* ui, Memory* memory, const Box& box);
+
+}  // namespace parti::app::panels
