@@ -97,8 +97,16 @@ void Canvas::SetPicture(CanvasPicture picture) {
   if (picture_.keep && picture_.keep != picture.keep) {
     retired_.push_back({picture_.keep, nullptr});
   }
+  const bool comparable = picture_.picture_from_canvas == picture.picture_from_canvas &&
+                          picture_.view_px == picture.view_px &&
+                          picture.view_px == glm::dvec2(size_) && IsExact(picture) &&
+                          IsExact(picture_) && !picture.cells.hashes.empty();
+  if (comparable) {
+    fresh_.Add(ChangeBetween(picture_.cells, picture.cells));
+  } else {
+    fresh_.AddAll();
+  }
   picture_ = std::move(picture);
-  fresh_.AddAll();
 }
 
 void Canvas::SetPaper(const Vec3f& color) {

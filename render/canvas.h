@@ -8,6 +8,7 @@
 
 #include "render/ink_layer.h"
 #include "render/mark_layer.h"
+#include "render/picture_cells.h"
 #include "render/ui_layer.h"
 
 namespace parti::render {
@@ -20,6 +21,8 @@ struct CanvasPicture {
   /// identity, unless the camera has moved since.
   glm::dmat3 picture_from_canvas{1};
   glm::dvec2 view_px{1, 1};  ///< the size of the camera's view that fills the texture
+  /// What the texture shows, where known: only what differs from the picture before is damaged.
+  PictureCells cells;
   /// Released once no frame needs the texture any more, on the thread that draws.
   std::shared_ptr<const void> keep;
 };

@@ -20,6 +20,7 @@ CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture) {
   shown.texture = picture->texture;
   shown.size_px = picture->size_px;
   shown.view_px = PictureSize(picture->camera);
+  shown.cells = picture->cells;
   shown.keep = picture;
   return shown;
 }

@@ -17,6 +17,7 @@ struct PaintedPicture {
   Camera camera;
   bool coarse = false;
   std::vector<uint32_t> ids;         ///< Faces::id for each pixel, rows from the top; 0: none
+  PictureCells cells;                ///< what it looks like, in short
   int uploads = 0;                   ///< of scenes by this painter so far
   std::shared_ptr<const void> slot;  ///< keeps the texture from being drawn over
 
@@ -31,9 +32,9 @@ CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture, con
 
 /// Numbers of how pictures are painted.
 struct PainterParams {
-  /// Pictures are drawn in squares of this side [px], each finished before the next: a newer
-  /// request waits for one at most, and so does the pen where all contexts share a rasteriser
-  /// (llvmpipe).
+  /// Pictures are drawn in squares of this side [px], a multiple of PictureCells::kSide_px, each
+  /// finished before the next: a newer request waits for one at most, and so does the pen where all
+  /// contexts share a rasteriser (llvmpipe).
   int tile_side_px = 256;
   int coarse_divisor = 2;  ///< of width and height of coarse pictures
   /// A fine picture is begun when no request has come for this long [s] after a coarse one.

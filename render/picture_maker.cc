@@ -111,7 +111,8 @@ Result<std::shared_ptr<const PaintedPicture>> PictureMaker::Make(
   const auto slot = Slot(size);
   if (!slot) return Fail(slot);
   auto picture = std::make_shared<PaintedPicture>();
-  *picture = {(*slot)->color_texture(), size, scene, camera, coarse, {}, uploads_, *slot};
+  *picture = {(*slot)->color_texture(), size,     scene, camera, coarse, {},
+              PictureCells::Of(size),   uploads_, *slot};
   picture->ids.resize(static_cast<size_t>(size.x) * size.y);
   const int side = params_.tile_side_px;
   for (int y = 0; y < size.y; y += side) {
@@ -129,7 +130,9 @@ Result<void> PictureMaker::DrawTile(const Camera& camera, const Tile& tile, Pain
   const Detail detail = picture->coarse ? Detail{false, 1.0 / params_.coarse_divisor} : Detail{};
   const auto drawn = renderer_->Draw(*loaded_, camera, tile, tile_->color.id(), detail);
   if (!drawn) return drawn;
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, tile_->color.id());
+  tile_->color.Bind();
+  const std::vector<uint8_t> bytes = Read(tile);
+  picture->cells.SetTile({tile.x, tile.y}, {tile.width, tile.height}, bytes.data());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, slot.id());
   gl_.BlitFramebuffer(0, 0, tile.width, tile.height, tile.x, tile.y, tile.x + tile.width,
                       tile.y + tile.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -140,10 +143,16 @@ Result<void> PictureMaker::DrawTile(const Camera& camera, const Tile& tile, Pain
   return CheckGl(gl_, "painting the model");
 }
 
-void PictureMaker::ReadIds(const Tile& tile, PaintedPicture* picture) const {
+/// RGBA bytes of the bound framebuffer, rows from the bottom.
+std::vector<uint8_t> PictureMaker::Read(const Tile& tile) const {
   std::vector<uint8_t> bytes(size_t{4} * tile.width * tile.height);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  return bytes;
+}
+
+void PictureMaker::ReadIds(const Tile& tile, PaintedPicture* picture) const {
+  const std::vector<uint8_t> bytes = Read(tile);
   for (int y = 0; y < tile.height; ++y) {
     const size_t from_top = static_cast<size_t>(picture->size_px.y - 1 - tile.y - y);
     uint32_t* row = &picture->ids[from_top * picture->size_px.x + tile.x];

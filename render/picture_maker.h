@@ -44,6 +44,7 @@ class PictureMaker {
   Result<std::shared_ptr<GlFramebuffer>> Slot(const glm::ivec2& size);
   Result<void> DrawTile(const Camera& camera, const Tile& tile, PaintedPicture* picture,
                         const GlFramebuffer& slot);
+  std::vector<uint8_t> Read(const Tile& tile) const;
   void ReadIds(const Tile& tile, PaintedPicture* picture) const;
 
   std::unique_ptr<GlContext> context_;

@@ -124,6 +124,19 @@ TEST_P(ScenePainting, AMovedCameraUploadsNothing) {
   EXPECT_EQ(Await({std::make_shared<Scene>(*house_), camera})->uploads, 2);
 }
 
+TEST_P(ScenePainting, APictureThatDiffersInOnePlaceDamagesThatAlone) {
+  Start();
+  (void)Shown(Await({house_, kCamera}));
+  Scene with_window = *house_;
+  tests::AddBox(&with_window, {2, 0.5f, 8.1f}, {3, 1.5f, 8.2f}, 50, {1, 0, 0});
+  target_->canvas().SetPicture(ToCanvas(Await({std::make_shared<Scene>(with_window), kCamera})));
+  const Damage damage = target_->Draw();
+  const Vec2 window = *View(kCamera).Project({2.5, 1, 8.2});
+  EXPECT_TRUE(damage.Touches({static_cast<int>(window.x), static_cast<int>(window.y), 1, 1}));
+  EXPECT_LE(damage.area(), 4 * 64 * 64);
+  EXPECT_EQ(target_->Shown(), target_->Whole());
+}
+
 TEST_P(ScenePainting, FailuresAreToldAndThePictureStays) {
   Start();
   const auto good = Await({house_, kCamera});
@@ -152,7 +165,7 @@ TEST_P(ScenePainting, PicturesOutliveTheirPainter) {
 }
 
 TEST_P(ScenePainting, EndsInTheMiddleOfAPicture) {
-  Start({.tile_side_px = 32});
+  Start({.tile_side_px = 64});
   const auto town = std::make_shared<Scene>(tests::Town(20, 5));
   painter_->Request({town, kCamera});
   std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -162,7 +175,7 @@ TEST_P(ScenePainting, EndsInTheMiddleOfAPicture) {
 
 TEST_P(ScenePainting, ShownPicturesAreNeverTorn) {
   // Two pictures of one colour each: what is shown is one or the other, however fast they come.
-  Start({.tile_side_px = 32});
+  Start({.tile_side_px = 64});
   std::vector<std::shared_ptr<const Scene>> scenes;
   for (const Vec3f& color : {Vec3f(1, 0, 0), Vec3f(0, 0, 1)}) {
     Scene scene;
