@@ -28,6 +28,7 @@ Result<void> Session::AddStroke(const Stroke& stroke) {
       std::make_shared<const DrawnStroke>(DrawnStroke{stroke, state().camera, strokes_drawn_++});
   history_.push_back({drawn, std::nullopt});
   StrokeOutcome outcome = AfterStroke(state(), drawn, options_);
+  if (outcome.begun) history_.push_back({nullptr, *outcome.begun});
   timeline_.Change(std::move(outcome.state));
   return outcome.read;
 }

@@ -35,8 +35,10 @@ class Session {
 
   /// A finished stroke in the pixels of the current view. The shape that it is drawn on is found,
   /// its lines are lifted, and the suggestions are those of all strokes since the last pick.
-  /// A stroke that means nothing is kept as ink; the error says why.
-  /// errors  kTooShort  a tap;  kNoFit  no visible shape or operation fits;  kNothingMade  no lot.
+  /// A stroke that means nothing is kept as ink; the error says why. Without a lot, strokes outline
+  /// one on the ground; the lot that they close is in the history as a command.
+  /// errors  kTooShort  a tap;  kNoFit  no visible shape or operation fits, or the outline of the
+  ///         lot is not closed yet;  those of LotFromStrokes.
   Result<void> AddStroke(const Stroke& stroke);
 
   /// A command that fails changes nothing. Undo and redo go through strokes and commands alike,

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/edit_nodes.h"
+#include "app/lot_from_stroke.h"
 #include "app/sketch_reading.h"
 #include "base/check.h"
 #include "grammar/operation.h"
@@ -377,17 +378,49 @@ Result<SessionState> After(const SessionState& state, const Command& command,
   return std::visit([&](const auto& c) { return Do(c, state, options); }, command);
 }
 
+namespace {
+
+/// All strokes of the sketch as one outline, or the newest alone: earlier ones may have failed.
+Result<std::string> LotOutlined(const Strokes& strokes, const LotParameters& parameters) {
+  auto lot = LotFromStrokes(strokes, parameters);
+  if (lot || strokes.size() == 1) return lot;
+  auto alone = LotFromStrokes(std::span(strokes).last(1), parameters);
+  return alone ? alone : lot;
+}
+
+StrokeOutcome AfterOutline(SessionState state, std::shared_ptr<const DrawnStroke> stroke,
+                           const SessionOptions& options) {
+  state.sketch.strokes.push_back(stroke);
+  const auto lot = LotOutlined(state.sketch.strokes, options.lot);
+  if (lot) {
+    const SetLot begun{*lot};
+    auto next = Do(begun, state, options);
+    if (next) return {std::move(*next), {}, begun};
+    return {std::move(state), Fail(next), {}};
+  }
+  if (lot.error().code != ErrorCode::kNoFit) {
+    state.sketch.strokes.pop_back();
+    state.sketch.unread.push_back(std::move(stroke));
+  }
+  return {std::move(state), Fail(lot), {}};
+}
+
+}  // namespace
+
 StrokeOutcome AfterStroke(SessionState state, std::shared_ptr<const DrawnStroke> stroke,
                           const SessionOptions& options) {
+  if (state.model.lots().empty()) {
+    return AfterOutline(std::move(state), std::move(stroke), options);
+  }
   state.sketch.strokes.push_back(stroke);
   auto read = ReadSketch(state, options);
   if (read) {
     state.sketch = std::move(*read);
-    return {std::move(state), {}};
+    return {std::move(state), {}, {}};
   }
   state.sketch.strokes.pop_back();
   state.sketch.unread.push_back(std::move(stroke));
-  return {std::move(state), Fail(read)};
+  return {std::move(state), Fail(read), {}};
 }
 
 }  // namespace parti::app

@@ -2,6 +2,8 @@
 // Undo, redo and what is remembered are session.h's.
 #pragma once
 
+#include <optional>
+
 #include "app/command.h"
 #include "app/session_options.h"
 #include "app/session_state.h"
@@ -19,8 +21,11 @@ Result<SessionState> After(const SessionState& state, const Command& command,
 struct StrokeOutcome {
   SessionState state;  ///< with the stroke in its sketch, or among the unread ones
   Result<void> read;   ///< why it means nothing
+  /// The command that does the same: the lot, where the stroke closed its outline.
+  std::optional<SetLot> begun = {};
 };
-/// errors (of `read`)  those of ReadSketch.
+/// On a model without lots, strokes outline the first one (LotFromStrokes).
+/// errors (of `read`)  those of ReadSketch, or of LotFromStrokes.
 StrokeOutcome AfterStroke(SessionState state, std::shared_ptr<const DrawnStroke> stroke,
                           const SessionOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "app/lot_from_stroke.h"
 #include "sketch/parameters.h"
 
 namespace parti::app {
@@ -21,6 +22,7 @@ struct UndoLimits {
 /// All of a session's numbers.
 struct SessionOptions {
   sketch::SketchParameters sketch = {};
+  LotParameters lot = {};
   UndoLimits undo = {};
   /// Keep SessionState::steps, for `replay --json` and bug reports; they grow with every pick.
   bool keep_steps = false;

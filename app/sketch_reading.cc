@@ -28,7 +28,7 @@ Result<Sketch> ReadInOneView(const SessionState& state,
   const std::vector<ShapeRef> targets = TargetsOf(state.model, state.sketch.query);
   if (targets.empty()) {
     return Fail(ErrorCode::kNothingMade, "there is nothing to draw on",
-                state.model.lots().empty() ? "begin with a lot: lot rect(20,14)"
+                state.model.lots().empty() ? "draw the outline of the lot on the ground"
                                            : "take the query back: query none");
   }
   std::vector<grammar::Item> items;

@@ -162,13 +162,6 @@ TEST_F(SessionTest, AStrokeThatFitsNothingIsKeptAsInkOnly) {
   EXPECT_THAT(session_.state().sketch.suggestions, IsEmpty());
 }
 
-TEST(SessionWithoutLotTest, AStrokeNeedsALotToBeDrawnOn) {
-  Session session;
-  const auto read = session.AddStroke(StrokeFrom("0,0 100,0"));
-  ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().hint, HasSubstr("lot rect"));
-}
-
 TEST_F(SessionTest, HistoryHoldsEverythingInOrder) {
   BuildTower();
   Do("undo");
