@@ -5,20 +5,37 @@
 
 namespace parti::app {
 
+namespace {
+
+/// The part of the view that a screen shows, if that is known.
+std::optional<ViewRect> Shown(const DeviceFacts& device, const Vec2& view_px,
+                              const MappingOptions& options) {
+  if (!device.has_display) return std::nullopt;
+  if (options.own_output) return options.own_output;
+  const Vec2 size = device.size_mm.value_or(view_px);  // of unknown size: of the view's shape
+  const double ratio = (view_px.x * size.y) / (view_px.y * size.x);
+  if (ratio > TabletMapping::kSameShape || ratio * TabletMapping::kSameShape < 1) {
+    return std::nullopt;
+  }
+  return ViewRect{{0, 0}, view_px};
+}
+
+}  // namespace
+
 TabletMapping::TabletMapping(const DeviceFacts& device, const Camera& camera,
                              const MappingOptions& options)
     : px_per_mm_(device.view_px_per_mm.value_or(0)), origin_px_(0, 0) {
   if (device.view_px_per_mm) return;
   Vec2 size = device.size_mm.value_or(kUsualSize_mm);
   if (!(size.x > 0 && size.y > 0)) size = kUsualSize_mm;
-  if (options.own_output) {
-    px_per_mm_ = options.own_output->size_px / size;
-    origin_px_ = options.own_output->origin_px;
+  const Vec2 view(camera.width_px, camera.height_px);
+  if (const auto shown = Shown(device, view, options)) {
+    px_per_mm_ = shown->size_px / size;
+    origin_px_ = shown->origin_px;
     return;
   }
-  const Vec2 view(camera.width_px, camera.height_px);
   px_per_mm_ = Vec2(std::max(view.x / size.x, view.y / size.y));
-  if (options.left_handed) px_per_mm_ = -px_per_mm_;
+  if (options.left_handed && !device.has_display) px_per_mm_ = -px_per_mm_;
   origin_px_ = (view - size * px_per_mm_) * 0.5;
 }
 

@@ -1,6 +1,6 @@
 // Where a pen on a tablet is in the view: millimetres to pixels with the tablet's aspect kept, so
 // that a circle drawn is a circle seen. The view is covered whole; what is left of the longer side
-// of the tablet lies outside, evenly on both edges.
+// of the tablet lies outside, evenly on both edges. On screens what is touched is under the tip.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,9 @@ struct MappingOptions {
   /// The tablet lies turned by 180 degrees, its buttons under the other hand. Says nothing for
   /// display tablets and for devices that point into the view, whose picture does not turn.
   bool left_handed = false;
-  /// Where the picture of a display tablet lies in the view: its surface is that rectangle, corner
-  /// to corner, so that ink is under the tip. Absent: an opaque tablet, mapped into the whole view.
+  /// Where the pictures of display tablets and touch screens lie in the view: their surface is that
+  /// rectangle, corner to corner, so that ink is under the tip. Absent: the whole view, where it
+  /// has nearly their shape. Says nothing for opaque tablets.
   std::optional<ViewRect> own_output = {};
 
   bool operator==(const MappingOptions&) const = default;
@@ -49,6 +50,10 @@ class TabletMapping {
 
   /// Samples in view pixels; times and pressures unchanged.
   Stroke ToView(const input::PenStroke& stroke) const;
+
+  /// How much a screen's shape may differ from that of the view that it is taken to show, as a
+  /// ratio: panels and modes differ by a few pixels, 16:10 and 16:9 by 1.11.
+  static constexpr double kSameShape = 1.05;
 
  private:
   Vec2 px_per_mm_;  ///< to the right and down; negative: turned

@@ -24,14 +24,15 @@ struct Feature {
   std::string_view word;
   bool DeviceFacts::*flag;
 };
-inline constexpr std::array<Feature, 8> kFeatures{{{"pen", &DeviceFacts::has_pen},
+inline constexpr std::array<Feature, 9> kFeatures{{{"pen", &DeviceFacts::has_pen},
                                                    {"touch", &DeviceFacts::has_touch},
                                                    {"pressure", &DeviceFacts::has_pressure},
                                                    {"tilt", &DeviceFacts::has_tilt},
                                                    {"distance", &DeviceFacts::has_distance},
                                                    {"eraser", &DeviceFacts::has_eraser},
                                                    {"pointer", &DeviceFacts::has_pointer},
-                                                   {"keys", &DeviceFacts::has_keys}}};
+                                                   {"keys", &DeviceFacts::has_keys},
+                                                   {"display", &DeviceFacts::has_display}}};
 
 /// The word of a value.
 template <size_t n, typename Enum>

@@ -8,6 +8,10 @@
 #include <string>
 #include <string_view>
 
+extern "C" {  // which the header leaves out
+#include <libwacom/libwacom.h>
+}
+
 namespace parti::input {
 namespace {
 
@@ -80,6 +84,24 @@ bool IsPenEvent(libinput_event_type type) {
   return type >= LIBINPUT_EVENT_TABLET_TOOL_AXIS && type <= LIBINPUT_EVENT_TABLET_TOOL_BUTTON;
 }
 
+struct DestroyTablets {
+  void operator()(WacomDeviceDatabase* tablets) const { libwacom_database_destroy(tablets); }
+};
+struct DestroyTablet {
+  void operator()(WacomDevice* tablet) const { libwacom_destroy(tablet); }
+};
+
+/// Whether a tablet is a screen, if libwacom knows it. The kernel's own mark (INPUT_PROP_DIRECT) is
+/// right for Wacom's, but set for some opaque tablets of other makes.
+std::optional<bool> IsKnownDisplay(uint32_t vendor, uint32_t product) {
+  const std::unique_ptr<WacomDeviceDatabase, DestroyTablets> tablets(libwacom_database_new());
+  if (!tablets) return std::nullopt;
+  const std::unique_ptr<WacomDevice, DestroyTablet> tablet(libwacom_new_from_usbid(
+      tablets.get(), static_cast<int>(vendor), static_cast<int>(product), nullptr));
+  if (!tablet) return std::nullopt;
+  return libwacom_get_integration_flags(tablet.get()) != WACOM_DEVICE_INTEGRATED_NONE;
+}
+
 /// In the millimetres of a screen that does not say its size, libinput gives meaningless numbers.
 Vec2 PositionOf(libinput_event_touch* touch, libinput_device* device) {
   Vec2 size_mm(0, 0);
@@ -115,12 +137,15 @@ DeviceFacts FactsOf(libinput_device* device) {
   facts.has_pointer = !facts.has_pen && !facts.has_touch &&
                       libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_POINTER) != 0;
   if (facts.has_pointer) facts.view_px_per_mm = PointerPosition::kViewPxPerMm;
+  facts.has_display = facts.has_touch && !facts.has_pen;
   if (!facts.has_pen) return facts;
   const std::unique_ptr<udev_device, Unref> node(libinput_device_get_udev_device(device));
   const std::string axes = SysfsMask(node.get(), "capabilities/abs");
   facts.has_pressure = HasBit(axes, ABS_PRESSURE);
   facts.has_tilt = HasBit(axes, ABS_TILT_X) && HasBit(axes, ABS_TILT_Y);
   facts.has_distance = HasBit(axes, ABS_DISTANCE);
+  const bool direct = HasBit(SysfsMask(node.get(), "properties"), INPUT_PROP_DIRECT);
+  facts.has_display = IsKnownDisplay(facts.vendor, facts.product).value_or(direct);
   facts.has_eraser = HasBit(SysfsMask(node.get(), "capabilities/key"), BTN_TOOL_RUBBER);
   return facts;
 }

@@ -53,7 +53,8 @@ Json JsonOf(const Found& found) {
             {"distance", facts.has_distance},
             {"eraser", facts.has_eraser},
             {"pointer", facts.has_pointer},
-            {"keys", facts.has_keys}};
+            {"keys", facts.has_keys},
+            {"display", facts.has_display}};
   if (facts.size_mm) json["size_mm"] = {facts.size_mm->x, facts.size_mm->y};
   return json;
 }
@@ -65,6 +66,7 @@ std::string LineOf(const Found& found) {
                                   {facts.has_touch, "touch"},
                                   {facts.has_pointer, "mouse"},
                                   {facts.has_keys, "keys"},
+                                  {facts.has_display, "display"},
                                   {facts.has_pressure, "pressure"},
                                   {facts.has_tilt, "tilt"},
                                   {facts.has_distance, "distance"},

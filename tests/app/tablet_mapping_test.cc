@@ -75,16 +75,48 @@ TEST(TabletMappingTest, ATurnedTabletIsTheSameTurnedBy180Degrees) {
   }
 }
 
+DeviceFacts Screen(double width_mm, double height_mm) {
+  DeviceFacts facts = Tablet(width_mm, height_mm);
+  facts.has_display = true;
+  return facts;
+}
+
 TEST(TabletMappingTest, ADisplayTabletIsItsOwnOutputCornerToCorner) {
   const ViewRect output{{1600, 100}, {1920, 1080}};
   for (const bool left_handed : {false, true}) {
-    const TabletMapping mapping(Tablet(344, 194), View(3520, 1200),
+    const TabletMapping mapping(Screen(344, 194), View(3520, 1200),
                                 {.left_handed = left_handed, .own_output = output});
     EXPECT_EQ(mapping.ToView_px({0, 0}), output.origin_px);
     EXPECT_LT(glm::distance(mapping.ToView_px({344, 194}), output.origin_px + output.size_px),
               1e-9);
     EXPECT_NEAR(mapping.px_per_mm(), 1920 / 344.0, 0.02);
   }
+}
+
+TEST(TabletMappingTest, AScreenOfNearlyTheViewsShapeIsTheView) {
+  const TabletMapping mapping(Screen(297.76, 169.24), View(1280, 720));
+  EXPECT_EQ(mapping.ToView_px({0, 0}), Vec2(0, 0));
+  EXPECT_LT(glm::distance(mapping.ToView_px({297.76, 169.24}), Vec2(1280, 720)), 1e-9);
+}
+
+TEST(TabletMappingTest, AScreenOfAnotherShapeKeepsItsAspectAndIsNeverTurned) {
+  const DeviceFacts screen = Screen(320, 300);
+  const TabletMapping opaque(Tablet(320, 300), View(1600, 1000));
+  const TabletMapping mapping(screen, View(1600, 1000), {.left_handed = true});
+  EXPECT_EQ(mapping.ToView_px({33, 44}), opaque.ToView_px({33, 44}));
+}
+
+TEST(TabletMappingTest, ATouchScreenOfUnknownSizeIsTheView) {
+  DeviceFacts screen;
+  screen.has_display = screen.has_touch = true;
+  const TabletMapping mapping(screen, View(1000, 2000));
+  EXPECT_LT(glm::distance(mapping.ToView_px(kUsualSize_mm), Vec2(1000, 2000)), 1e-9);
+}
+
+TEST(TabletMappingTest, AnOpaqueTabletHasNoOutputOfItsOwn) {
+  const TabletMapping mapping(Tablet(320, 200), View(1600, 1000),
+                              {.own_output = ViewRect{{5, 5}, {9, 9}}});
+  EXPECT_EQ(mapping.ToView_px({320, 200}), Vec2(1600, 1000));
 }
 
 TEST(TabletMappingTest, TimesAndPressuresStay) {

@@ -97,7 +97,7 @@ TEST(Seat, DevicesOfEveryKindSayWhatTheyAre) {
   for (const InputEvent& event : AllOf(*looks)) facts.push_back(std::get<DeviceEvent>(event).facts);
   ASSERT_THAT(facts, SizeIs(4));
   EXPECT_TRUE(facts[0].has_pen && facts[0].has_pressure && !facts[0].has_touch);
-  EXPECT_TRUE(facts[1].has_touch && !facts[1].has_pen);
+  EXPECT_TRUE(facts[1].has_touch && facts[1].has_display && !facts[1].has_pen);
   EXPECT_EQ(facts[1].size_mm, Vec2(344, 194));
   EXPECT_TRUE(facts[2].has_pointer && !facts[2].has_keys);
   EXPECT_EQ(facts[2].view_px_per_mm, PointerPosition::kViewPxPerMm);

@@ -239,9 +239,10 @@ TEST(DevicesCommand, ListsATabletOfTheSeatWithItsFacts) {
 
   const auto line = tablet.Run({PARTI_PROGRAM, "devices"}, {});
   ASSERT_TRUE(line) << FormatError(line.error());
-  EXPECT_EQ(line->output,
-            "/dev/input/event5  Test Pen (1234:4200): pen, pressure, tilt, distance, eraser, "
-            "596 x 335 mm\n");
+  EXPECT_EQ(
+      line->output,
+      "/dev/input/event5  Test Pen (1234:4200): pen, display, pressure, tilt, distance, eraser, "
+      "596 x 335 mm\n");
 }
 
 TEST(RecordCommand, FailsWhenNothingWasDrawnButEndsItsFile) {

@@ -31,6 +31,7 @@ DeviceFacts AnyFacts() {
   facts.has_eraser = Coin();
   facts.has_pointer = Coin();
   facts.has_keys = Coin();
+  facts.has_display = Coin();
   if (Coin()) facts.view_px_per_mm = Number(0.5, 40);
   return facts;
 }
