@@ -23,6 +23,14 @@ double Now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// What a new user looks at: a plot of 30 m.
+render::Bounds FirstGround() {
+  render::Bounds bounds;
+  bounds.Add({-15, 0, -15});
+  bounds.Add({15, 4, 15});
+  return bounds;
+}
+
 PenAct ActOf(PointerMode mode) {
   switch (mode) {
     case PointerMode::kDraw:
@@ -89,6 +97,7 @@ Result<void> Application::Start() {
   SettingsChanged();
   told_ = snapshot_->state->camera;
   looking_.Set(told_);
+  if (told_ == Camera{}) looking_.Set(ViewFor(ViewRequest::kFit, told_, FirstGround()));
   Resized();
   RunPanels({});
   return {};
@@ -138,8 +147,10 @@ void Application::Take(const DisplayNews& news) {
     TakeAll(hands_.Feed(event, [this](const Vec2& px) { return OverPanel(px); }));
     if (std::holds_alternative<DeviceEvent>(event)) panels_stale_ = true;
   }
-  if (news.hidden) TakeAll(hands_.CancelAll());
+  if (news.hidden || news.close_asked) PutDown();
 }
+
+void Application::PutDown() { TakeAll(hands_.LiftAll()); }
 
 void Application::TakeAll(const std::vector<Act>& acts) {
   for (const Act& act : acts) {
@@ -212,7 +223,8 @@ void Application::Looked(bool changed) {
   ink_->Show(*snapshot_, looking_.camera());
   marks_stale_ = true;
   hovered_.reset();
-  sync_at_s_ = Now_s() + kRest_s;
+  // Looking around in an empty document is no reason to begin one on the disk.
+  if (posted_ > 0 || !snapshot_->state->model.lots().empty()) sync_at_s_ = Now_s() + kRest_s;
 }
 
 Vec3 Application::PointTouched(const Camera& camera, const Vec2& px) const {

@@ -51,6 +51,9 @@ class Application {
   void Do(const PanelCommand& command);
 
   bool close_asked() const { return close_asked_; }
+  /// As if every pen, finger and button were lifted: the program is about to end, and what is being
+  /// drawn is to be kept.
+  void PutDown();
   /// What the display shows, drawn anew. errors  kGraphics.
   Result<render::Image> Screenshot();
 

@@ -62,12 +62,12 @@ std::vector<Act> Hands::Feed(const InputEvent& event, const OverPanel& over_pane
   return acts;
 }
 
-std::vector<Act> Hands::CancelAll() {
+std::vector<Act> Hands::LiftAll() {
   std::vector<Act> acts;
   while (!drags_.empty()) {
-    DragAct cancelled = drags_.begin()->second;
-    cancelled.phase = DragPhase::kCancel;
-    Drag(cancelled, &acts);
+    DragAct lifted = drags_.begin()->second;
+    lifted.phase = DragPhase::kEnd;
+    Drag(lifted, &acts);
   }
   if (on_panel_) {
     dropped_.push_back(*on_panel_);

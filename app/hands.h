@@ -84,8 +84,9 @@ class Hands {
   /// Positions that are not finite are taken for the last one of their device.
   std::vector<Act> Feed(const InputEvent& event, const OverPanel& over_panel);
 
-  /// Everything that goes on is cancelled: the view was lost, or a dialog took over.
-  std::vector<Act> CancelAll();
+  /// Everything is lifted: the view is hidden or closed. What is drawn so far counts; presses on
+  /// panels don't.
+  std::vector<Act> LiftAll();
 
   bool pen_present() const;  ///< a device with a pen is there
   bool has_keys() const;     ///< a keyboard is there

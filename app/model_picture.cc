@@ -59,9 +59,10 @@ std::optional<ShapeRef> ModelPicture::ShapeUnder(const Vec2& px) const {
 std::vector<int> ModelPicture::fds() const { return {preparer_.ready().fd(), painted_.fd()}; }
 
 bool ModelPicture::busy() const {
+  const bool is_old = asked_ && (!prepared_.state || !SameModel(*prepared_.state, *asked_));
   const bool has_all = painted_picture_ && painted_picture_->scene == prepared_.scene &&
                        painted_picture_->camera == camera_ && !painted_picture_->coarse;
-  return preparer_.busy() || painter_->busy() || (prepared_.scene && !has_all);
+  return is_old || painter_->busy() || (prepared_.scene && !has_all);
 }
 
 }  // namespace parti::app

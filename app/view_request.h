@@ -12,6 +12,9 @@ namespace parti::app {
 /// From a valid camera to the one asked for, of the same size; valid again. `model` may be empty.
 Camera ViewFor(ViewRequest request, const Camera& camera, const render::Bounds& model);
 
+/// Models are seen as if at least so high, as a part of their longer side: walls want room.
+inline constexpr double kHeadroom = 0.5;
+
 /// How much nearer kNearer goes.
 inline constexpr double kNearerFactor = 1.25;
 

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "app/acknowledgement_log.h"
@@ -21,6 +22,7 @@ namespace {
 struct Options {
   std::string file;
   std::string display = "best";
+  std::string lot;           // for a document without one
   std::string commands;      // FIFO
   std::string acknowledged;  // file
   std::string play;          // drawing
@@ -85,23 +87,20 @@ Result<void> Loop(Application* application, const EndSignals& signals, CommandPi
       }
     }
   }
+  application->PutDown();
   return {};
 }
 
-Result<void> RunApplication(const Options& options, Display* display, SessionThread* session,
-                            const EndSignals& signals) {
-  std::optional<AcknowledgementLog> log;
-  if (!options.acknowledged.empty()) {
-    auto opened = AcknowledgementLog::Open(options.acknowledged);
-    if (!opened) return Fail(opened);
-    log = std::move(*opened);
-  }
-  std::optional<CommandPipe> pipe;
-  if (!options.commands.empty()) {
-    auto opened = CommandPipe::Open(options.commands);
-    if (!opened) return Fail(opened);
-    pipe = std::move(*opened);
-  }
+/// The file or FIFO of an option, opened; nothing where the option is not given.
+template <typename T>
+Result<std::optional<T>> Opened(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  auto opened = T::Open(path);
+  if (!opened) return Fail(opened);
+  return std::optional<T>(std::move(*opened));
+}
+
+ApplicationOptions UsersOptions() {
   ApplicationOptions with;
   with.settings_path = SettingsPath();
   auto settings = ReadSettings(with.settings_path);
@@ -110,17 +109,54 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   } else {
     Report(settings.error());  // and goes on with those of a new user
   }
+  return with;
+}
+
+/// A file that is not there yet is begun, if its name is a document's.
+Result<void> CheckFile(const std::string& file) {
+  if (file.empty() || std::filesystem::exists(file) || file.ends_with(".parti")) return {};
+  return Fail(ErrorCode::kFile, fmt::format("there is no file '{}'", file),
+              "documents end in .parti; parti --help lists the commands");
+}
+
+Result<void> BeginFile(const std::string& file, Application* application) {
+  if (file.empty() || std::filesystem::exists(file)) return {};
+  application->Do(PanelCommand(DocumentRequest{DocumentRequest::Kind::kSaveAs, file}));
+  return Settle(application);
+}
+
+/// The lot for a document that has none.
+Result<void> BeginOn(const std::string& lot, Application* application) {
+  if (lot.empty()) return {};
+  if (const auto readable = ParseLots(lot); !readable) return Fail(readable);
+  if (auto settled = Settle(application); !settled) return settled;
+  if (!application->snapshot().state->model.lots().empty()) return {};
+  application->Do(PanelCommand(Command(SetLot{lot})));
+  if (auto settled = Settle(application); !settled) return settled;
+  application->Do(PanelCommand(ViewRequest::kFit));
+  return {};
+}
+
+Result<void> RunApplication(const Options& options, Display* display, SessionThread* session,
+                            const EndSignals& signals) {
+  auto log = Opened<AcknowledgementLog>(options.acknowledged);
+  if (!log) return Fail(log);
+  auto pipe = Opened<CommandPipe>(options.commands);
+  if (!pipe) return Fail(pipe);
+  ApplicationOptions with = UsersOptions();
   Result<void> logged;
   with.on_snapshot = [&](const SessionSnapshot& snapshot) {
-    if (log && logged) logged = log->Note(snapshot);
+    if (*log && logged) logged = (*log)->Note(snapshot);
   };
   auto application = Application::Create(display, session, std::move(with));
   if (!application) return Fail(application);
+  if (auto begun = BeginFile(options.file, application->get()); !begun) return begun;
+  if (auto begun = BeginOn(options.lot, application->get()); !begun) return begun;
   if (!options.play.empty()) {
     if (auto played = PlayFile(options.play, application->get()); !played) return played;
   }
   if (!options.screenshot.empty()) return TakeScreenshot(application->get(), options.screenshot);
-  if (auto looped = Loop(application->get(), signals, pipe ? &*pipe : nullptr); !looped) {
+  if (auto looped = Loop(application->get(), signals, *pipe ? &**pipe : nullptr); !looped) {
     return looped;
   }
   return logged;
@@ -133,6 +169,7 @@ void Greet(const Display& display) {
 }
 
 int Open(const Options& options) {
+  if (const auto fits = CheckFile(options.file); !fits) return Report(fits.error());
   const EndSignals signals;
   const auto kind = DisplayKindOf(options.display);
   if (!kind) return Report(kind.error());
@@ -140,7 +177,7 @@ int Open(const Options& options) {
   if (!display) return Report(display.error());
   Greet(**display);
   SessionThreadOptions with;
-  with.path = options.file;
+  if (std::filesystem::exists(options.file)) with.path = options.file;
   SessionThread session(with);
   const auto ran = RunApplication(options, display->get(), &session, signals);
   session.Stop();
@@ -159,6 +196,7 @@ void AddOpenCommand(CLI::App& app, Run* run) {
   app.add_option("FILE", options->file, "a document; a new one where there is none");
   app.add_option("--display", options->display,
                  "kms, x11, wayland, offscreen, or best: what there is");
+  app.add_option("--lot", options->lot, "the LOT to begin on, where the document has none");
   app.add_option("--play", options->play, "a drawing to play as if its tablet were there");
   app.add_option("--screenshot", options->screenshot,
                  "a PNG of the application once all is done; then it ends");

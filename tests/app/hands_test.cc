@@ -167,9 +167,9 @@ TEST_F(HandsTest, AFingerDrawsWhereThatIsSwitchedOn) {
   EXPECT_EQ(words.back(), "end draw");
 }
 
-TEST_F(HandsTest, CancellingEndsEverythingThatGoesOn) {
+TEST_F(HandsTest, LiftingEverythingKeepsWhatIsDrawn) {
   Pen(PenEvent::Kind::kDown, {800, 500});
-  EXPECT_THAT(Words(hands_.CancelAll()), ElementsAre("cancel draw"));
+  EXPECT_THAT(Words(hands_.LiftAll()), ElementsAre("end draw"));
   EXPECT_THAT(Words(Pen(PenEvent::Kind::kMotion, {900, 500})), IsEmpty());
 }
 
