@@ -36,8 +36,12 @@ void Restore(const Before& before) {
 
 /// The child: lives until the other end of `alive` is closed, which the kernel does at our end.
 [[noreturn]] void Watch(const Before& before, int alive) {
-  ::setsid();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) ::signal(signal, SIG_IGN);
+  // Out of the way of what ends its parent's group, but in its session: without privileges the
+  // kernel lets only those restore a console whose terminal it is.
+  ::setpgid(0, 0);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTIN, SIGTTOU}) {
+    ::signal(signal, SIG_IGN);
+  }
   // Whatever else is open would be held beyond our end: screens, files, pipes.
   const auto lower = static_cast<unsigned>(std::min(before.tty, alive));
   const auto upper = static_cast<unsigned>(std::max(before.tty, alive));

@@ -73,8 +73,8 @@ Result<void> LibseatSeat::Start() {
     if (libseat_dispatch(seat_, kStep_ms) < 0) break;
   }
   if (!active_) {
-    return Fail(ErrorCode::kDevice, "the seat is not ours now: another console is in front",
-                "switch to the console that this runs on (Ctrl+Alt+F2 …) and start it again");
+    return Fail(ErrorCode::kDevice,
+                "no seat: its manager does not give it (another console may be in front)", kRemedy);
   }
   news_ = {};
   return {};
