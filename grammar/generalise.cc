@@ -170,8 +170,9 @@ class Drafts {
     return query;
   }
 
-  /// No constraint, one, and two of different levels; directions are added by the caller.
-  std::vector<std::vector<Constraint>> All() const {
+  /// No constraint, one, and where `pairs` two of different levels; directions are added by the
+  /// caller.
+  std::vector<std::vector<Constraint>> All(bool pairs) const {
     std::vector<std::vector<Constraint>> all = {{}};
     std::vector<Constraint> single;
     int positioned = 0;
@@ -182,6 +183,7 @@ class Drafts {
       for (const Filter& place : levels_[i].places) single.push_back({i, &place});
     }
     for (const Constraint& c : single) all.push_back({c});
+    if (!pairs) return all;
     for (const Constraint& lower : single) {
       for (const Constraint& upper : single) {
         if (upper.level > lower.level) all.push_back({upper, lower});
@@ -240,7 +242,8 @@ class Candidates {
              const GeneraliseParameters& parameters)
       : trees_(trees), tapped_(std::move(tapped)), parameters_(parameters) {}
 
-  void Try(Query query) {
+  /// `keep`: it is among the best in any case.
+  void Try(Query query, bool keep = false) {
     const auto products = ProductsOf(query, trees_, tapped_);
     if (!products) return;
     size_t count = 0;
@@ -252,28 +255,29 @@ class Candidates {
     for (Found& other : found_) {
       if (other.key != key) continue;
       if (cost < other.candidate.cost) other.candidate = {std::move(query), "", count, cost};
+      other.keep |= keep;
       return;
     }
-    found_.push_back({key, {std::move(query), "", count, cost}});
+    found_.push_back({key, keep, {std::move(query), "", count, cost}});
   }
 
   bool empty() const { return found_.empty(); }
 
-  /// The cheapest, and in any case the narrowest.
+  /// The cheapest, and in any case the narrowest and those to keep.
   std::vector<QueryCandidate> Best() && {
-    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
-      return a.candidate.cost < b.candidate.cost;
-    });
+    const auto narrower = [](const Found& a, const Found& b) {
+      return a.candidate.count < b.candidate.count;
+    };
+    if (!found_.empty()) std::min_element(found_.begin(), found_.end(), narrower)->keep = true;
+    const auto by = [](const auto& key) {
+      return [key](const Found& a, const Found& b) { return key(a) < key(b); };
+    };
+    const auto cost = [](const Found& f) { return f.candidate.cost; };
+    std::stable_sort(found_.begin(), found_.end(),
+                     by([&](const Found& f) { return std::pair(!f.keep, cost(f)); }));
     const auto most = static_cast<size_t>(parameters_.most);
-    if (found_.size() > most) {
-      const auto narrowest = std::min_element(
-          found_.begin(), found_.end(),
-          [](const Found& a, const Found& b) { return a.candidate.count < b.candidate.count; });
-      if (narrowest >= found_.begin() + parameters_.most) {
-        std::iter_swap(narrowest, found_.begin() + parameters_.most - 1);
-      }
-      found_.resize(most);
-    }
+    if (found_.size() > most) found_.erase(found_.begin() + parameters_.most, found_.end());
+    std::stable_sort(found_.begin(), found_.end(), by(cost));
     std::vector<QueryCandidate> best;
     for (Found& found : found_) {
       best.push_back(std::move(found.candidate));
@@ -285,6 +289,7 @@ class Candidates {
  private:
   struct Found {
     uint64_t key = 0;
+    bool keep = false;
     QueryCandidate candidate;
   };
   std::span<const ShapeTree* const> trees_;
@@ -316,9 +321,10 @@ std::vector<QueryCandidate> Generalise(std::span<const ShapeTree* const> trees,
   const Drafts drafts(LevelsOf(trees, shapes), visible, parameters);
 
   Candidates candidates(trees, shapes, parameters);
-  for (const auto& constraints : drafts.All()) {
-    candidates.Try(drafts.Of(constraints, ""));
-    if (!direction.empty()) candidates.Try(drafts.Of(constraints, direction));
+  for (const auto& constraints : drafts.All(shapes.size() > 1)) {
+    const bool plain = constraints.empty();  // its kind, and those that face the same way
+    candidates.Try(drafts.Of(constraints, ""), plain);
+    if (!direction.empty()) candidates.Try(drafts.Of(constraints, direction), plain);
   }
   candidates.Try(drafts.Path());
   if (const Operation* made = (*trees[shapes[0].tree])[shapes[0].shape].operation) {

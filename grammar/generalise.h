@@ -20,7 +20,7 @@ struct GeneraliseParameters {
   /// Shapes above the tapped ones whose position is looked at, the nearest that have siblings,
   /// [0, 8]: windows in rows in parts of façades have 3.
   int most_levels = 3;
-  /// Most candidates, [1, 1000]: what a person reads.
+  /// Most candidates, [3, 1000]: what a person reads.
   int most = 12;
 };
 
@@ -41,8 +41,8 @@ struct QueryCandidate {
 
 /// Queries that select every tapped shape: the same symbol or operation; facing the same way; at
 /// the same, the first, the last, an even or odd place among its siblings, or so its parents, and
-/// pairs of these; in the same part; and the one by the whole path, which for one shape selects
-/// nothing else. The narrowest is always among them.
+/// for several shapes pairs of these; in the same part; and the one by the whole path, which for
+/// one shape selects nothing else. The kind, the side and the narrowest are always among them.
 ///
 /// trees    the lots' trees, not null; tapped  n >= 1, each in one of them.
 /// returns  best first. cost = n log2(count / n) + bits_per_part * parts: the shorter query, unless
