@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
 
+#include "base/text_file.h"
+#include "tests/support/data.h"
+
 namespace parti::app {
 namespace {
 
@@ -33,12 +36,14 @@ TEST(ShortcutsTest, ReleasesAndUnknownKeysMeanNothing) {
   EXPECT_FALSE(shortcuts.Feed(Press(KEY_TAB), {})) << "between controls it is the panels'";
 }
 
-TEST(ShortcutsTest, EveryRowSaysWhatItDoes) {
-  ASSERT_GT(ShortcutRows().size(), 10u);
+TEST(ShortcutsTest, TheDocumentationListsEveryRow) {
+  const auto text = ReadFile(tests::SourceFile("docs/application.md"));
+  ASSERT_TRUE(text);
+  std::string table = "| keys | do |\n| --- | --- |\n";
   for (const ShortcutRow& row : ShortcutRows()) {
-    EXPECT_FALSE(row.keys.empty());
-    EXPECT_FALSE(row.does.empty());
+    table.append("| ").append(row.keys).append(" | ").append(row.does).append(" |\n");
   }
+  EXPECT_NE(text->find(table), std::string::npos) << "docs/application.md should have\n" << table;
 }
 
 }  // namespace
