@@ -46,7 +46,7 @@ void ModelPicture::Update(render::Canvas* canvas) {
   if (painted == painted_picture_ && camera_ == shown_for_) return;
   painted_picture_ = painted;
   shown_for_ = camera_;
-  canvas->SetPicture(render::ToCanvas(painted));
+  canvas->SetPicture(render::ToCanvas(painted, camera_));
 }
 
 std::optional<ShapeRef> ModelPicture::ShapeUnder(const Vec2& px) const {

@@ -27,7 +27,7 @@ CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture) {
 
 CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture, const Camera& now) {
   CanvasPicture shown = ToCanvas(picture);
-  shown.picture_from_canvas = PictureFromMoved(picture->camera, now);
+  if (Validate(now)) shown.picture_from_canvas = PictureFromMoved(picture->camera, now);
   return shown;
 }
 

@@ -25,8 +25,8 @@ struct PaintedPicture {
   uint32_t IdAt(const Vec2& px) const;
 };
 
-/// As a canvas shows it through the camera it was painted for, or through one that has
-/// moved since (see PictureFromMoved; both must be valid).
+/// As a canvas shows it through the camera it was painted for, or through one that has moved since
+/// (see PictureFromMoved); one that isn't valid moves nothing.
 CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture);
 CanvasPicture ToCanvas(const std::shared_ptr<const PaintedPicture>& picture, const Camera& now);
 

@@ -1,13 +1,13 @@
 // From a pen event to the finished frame, off screen at 1600 x 1000 with 10,000 strokes and 100,000
 // shapes in the scene; and the same while other threads are busy. CPU of the thread that draws ink.
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <thread>
 
 #include "base/check.h"
@@ -68,7 +68,8 @@ std::vector<InkStroke> Sheet() {
 UiMesh Panels() {
   UiMesh mesh;
   for (uint32_t i = 0; i < 2000; ++i) {
-    const Vec2f low(static_cast<float>(8 + 10 * (i % 20)), static_cast<float>(8 + 9 * (i / 20)));
+    const uint32_t column = i % 20, row = i / 20;
+    const Vec2f low(static_cast<float>(8 + 10 * column), static_cast<float>(8 + 9 * row));
     const uint32_t first = static_cast<uint32_t>(mesh.vertices.size());
     for (const Vec2f& corner : {Vec2f(0, 0), Vec2f(8, 0), Vec2f(8, 8), Vec2f(0, 8)}) {
       mesh.vertices.push_back({low + corner, {0, 0}, 0xe0ffffff - i});

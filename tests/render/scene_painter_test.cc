@@ -7,6 +7,7 @@
 #include <chrono>
 #include <set>
 
+#include "render/reproject.h"
 #include "tests/support/canvas_target.h"
 #include "tests/support/golden.h"
 #include "tests/support/sample_scenes.h"
@@ -122,6 +123,27 @@ TEST_P(ScenePainting, AMovedCameraUploadsNothing) {
     EXPECT_EQ(Await({house_, camera, i == 1})->uploads, 1);
   }
   EXPECT_EQ(Await({std::make_shared<Scene>(*house_), camera})->uploads, 2);
+}
+
+TEST_P(ScenePainting, TheLastPictureIsShownThroughAMovedCamera) {
+  Start();
+  const auto picture = Await({house_, kCamera});
+  const Image before = Shown(picture);
+  Camera moved = kCamera;
+  moved.eye += (moved.target - moved.eye) * 0.5;  // twice as near
+  target_->canvas().SetPicture(ToCanvas(picture, moved));
+  (void)target_->Draw();
+  const Image nearer = target_->Shown();
+  EXPECT_NEAR(PixelAt(nearer, 160, 100).r, PixelAt(before, 160, 100).r, 12);
+  EXPECT_NE(nearer, before);
+  // The roof's corner is twice as far from the middle.
+  const Vec2 corner = *View(kCamera).Project({9, 12.4, 7}), middle(160, 100);
+  const Vec3 shown = glm::inverse(PictureFromMoved(kCamera, moved)) * Vec3(corner, 1);
+  EXPECT_LT(glm::distance(Vec2(shown) / shown.z, middle + (corner - middle) * 2.0), 1e-6);
+  moved.eye = moved.target;
+  target_->canvas().SetPicture(ToCanvas(picture, moved));
+  (void)target_->Draw();
+  EXPECT_EQ(target_->Shown(), before);
 }
 
 TEST_P(ScenePainting, APictureThatDiffersInOnePlaceDamagesThatAlone) {
