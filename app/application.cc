@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/picking.h"
+#include "app/session_commands.h"
 #include "app/view_request.h"
 #include "render/gl_framebuffer.h"
 #include "render/read_image.h"
@@ -17,6 +18,7 @@ namespace {
 using input::DragPhase;
 using input::PenAct;
 
+constexpr double kSnap_px = 8;   ///< how near a corner or an edge is meant
 constexpr double kRest_s = 0.3;  ///< after which a wheel is taken to have stopped
 
 double Now_s() {
@@ -49,7 +51,20 @@ PenAct ActOf(PointerMode mode) {
   return PenAct::kDraw;
 }
 
+/// Whether two snaps are marked in the same way.
+bool LooksAlike(const std::optional<Snap>& a, const std::optional<Snap>& b) {
+  if (!a || !b) return !a && !b;
+  if (a->kind != b->kind) return false;
+  if (a->kind == Snap::Kind::kCorner) return a->point == b->point;
+  return a->kind == Snap::Kind::kFace || (a->edge.a == b->edge.a && a->edge.b == b->edge.b);
+}
+
 }  // namespace
+
+std::shared_ptr<const SessionState> TriedOut(const Trial& trial) {
+  auto tried = After(*trial.state, trial.number, {});
+  return tried ? std::make_shared<const SessionState>(std::move(*tried)) : trial.state;
+}
 
 Application::Application(Display* display, SessionThread* session, ApplicationOptions options)
     : display_(display),
@@ -113,6 +128,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   Take(*news);
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
+  if (trials_.ready().Clear() && trial_) picture_->SetState(*trials_.newest());
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
   // While a line is being drawn, panels have stepped aside and wait.
@@ -123,7 +139,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
 bool Application::Settled() const {
   return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
          !canvas_->NeedsDraw() && !sync_at_s_ && !(panels_stale_ && !ink_->drawing()) &&
-         !display_->HasNews() && fed_.empty() && !folders_.busy();
+         !display_->HasNews() && fed_.empty() && !folders_.busy() && !trials_.busy();
 }
 
 void Application::Wait(double wait_s, std::span<const int> also) const {
@@ -135,6 +151,7 @@ void Application::Wait(double wait_s, std::span<const int> also) const {
   for (const int fd : picture_->fds()) fds.push_back({fd, POLLIN, 0});
   fds.push_back({session_->ready().fd(), POLLIN, 0});
   fds.push_back({folders_.ready().fd(), POLLIN, 0});
+  fds.push_back({trials_.ready().fd(), POLLIN, 0});
   for (const int fd : also) fds.push_back({fd, POLLIN, 0});
   poll(fds.data(), fds.size(), static_cast<int>(std::ceil(wait_s * 1000)));
 }
@@ -170,7 +187,7 @@ void Application::TakeSnapshot() {
     told_ = snapshot_->state->camera;
     LookFrom(told_);
   }
-  picture_->SetState(snapshot_->state);
+  if (!trial_) picture_->SetState(snapshot_->state);
   ink_->Show(*snapshot_, looking_.camera());
   overlay_stale_ = panels_stale_ = true;
 }
@@ -222,7 +239,7 @@ void Application::Looked(bool changed) {
   if (!changed) return;
   ink_->Show(*snapshot_, looking_.camera());
   marks_stale_ = true;
-  hovered_.reset();
+  LeaveShape();
   // Looking around in an empty document is no reason to begin one on the disk.
   if (posted_ > 0 || !snapshot_->state->model.lots().empty()) sync_at_s_ = Now_s() + kRest_s;
 }
@@ -255,15 +272,26 @@ void Application::Take(const input::TapGesture& tap) {
 
 void Application::Take(const HoverAct& act) {
   pen_.position_px = act.px;
-  const auto ref = picture_->ShapeUnder(act.px);
-  if (!(ref == hovered_)) marks_stale_ = true;
-  hovered_ = ref;
+  const auto shape = picture_->ShapeUnder(act.px);
+  std::optional<Snap> snap;
+  if (shape) {
+    snap = SnapAt(picture_->shown_state()->model, *shape, looking_.camera(), act.px,
+                  kSnap_px * display_->scale());
+  }
+  marks_stale_ |= !(shape == hovered_) || !LooksAlike(snap, snap_);
+  hovered_ = shape;
+  snap_ = std::move(snap);
 }
 
 void Application::Take(const HoverEndAct&) {
   pen_.position_px.reset();
+  LeaveShape();
+}
+
+void Application::LeaveShape() {
   if (hovered_) marks_stale_ = true;
   hovered_.reset();
+  snap_.reset();
 }
 
 void Application::Take(const PanelAct& act) {
@@ -378,6 +406,16 @@ PanelView Application::ViewForPanels() const {
   return view;
 }
 
+void Application::TakeTrial(const std::optional<SetNumber>& trial) {
+  if (trial == trial_) return;
+  trial_ = trial;
+  if (trial_) {
+    trials_.Ask({snapshot_->state, *trial_});
+  } else {
+    picture_->SetState(snapshot_->state);
+  }
+}
+
 void Application::RunPanels(std::vector<PanelEvent> events) {
   std::vector<PanelEvent> all = std::move(panel_events_);
   panel_events_.clear();
@@ -391,6 +429,7 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   if (panel_output_->changed) canvas_->SetPanels(panel_output_->mesh);
   if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
   preview_ = panel_output_->preview;
+  TakeTrial(panel_output_->trial);
   // Commands may change what the panels show: they are copied, and done after the frame.
   const std::vector<PanelCommand> commands = panel_output_->commands;
   for (const PanelCommand& command : commands) Do(command);
@@ -404,6 +443,7 @@ void Application::ShowMarks() {
   if (hovered_ && picture_->shown_state()) {
     Project({HoverOf(picture_->shown_state()->model, *hovered_)}, view, &marks);
   }
+  if (snap_) AddSnap(*snap_, view, &marks);
   canvas_->SetMarksBelowPanels(std::move(marks));
   overlay_stale_ = marks_stale_ = false;
 }

@@ -39,6 +39,19 @@ WorldMarks HoverOf(const Model& model, const ShapeRef& ref, const DrawingStyle& 
   return {OutlineOf(model, ref), style.hovered, style.hovered_px};
 }
 
+void AddSnap(const Snap& snap, const View& view, std::vector<render::Mark>* marks,
+             const DrawingStyle& style) {
+  render::Vec4f color = style.hovered;
+  color.a = 1;
+  if (snap.kind == Snap::Kind::kEdge) {
+    Project({WorldMarks{{snap.edge}, color, style.snap_px / 3}}, view, marks);
+  } else if (snap.kind == Snap::Kind::kCorner) {
+    if (const auto px = view.Project(snap.point)) {
+      marks->push_back({{render::Vec2f(*px)}, color, style.snap_px});
+    }
+  }
+}
+
 void Project(const std::vector<WorldMarks>& lines, const View& view,
              std::vector<render::Mark>* marks) {
   for (const WorldMarks& group : lines) {

@@ -9,6 +9,7 @@
 
 #include "app/scene_from_model.h"
 #include "app/session_state.h"
+#include "app/snap.h"
 #include "render/marks.h"
 
 namespace parti::app {
@@ -29,6 +30,10 @@ std::vector<WorldMarks> OverlayOf(const SessionState& state, std::optional<size_
 
 /// The outline of a shape that the pen is over.
 WorldMarks HoverOf(const Model& model, const ShapeRef& ref, const DrawingStyle& style = {});
+
+/// Adds the corner or the edge that a hovering pen means; for a face, its outline is enough.
+void AddSnap(const Snap& snap, const View& view, std::vector<render::Mark>* marks,
+             const DrawingStyle& style = {});
 
 /// In pixels; what lies behind the eye is left out.
 void Project(const std::vector<WorldMarks>& lines, const View& view,

@@ -37,6 +37,7 @@ struct DrawingStyle {
   float selected_px = 2.6f;
   render::Vec4f hovered{0.10f, 0.38f, 0.80f, 0.55f};
   float hovered_px = 2.0f;
+  float snap_px = 9.0f;  ///< diameter of the dot on a corner; edges are a third as wide
 };
 
 /// Adds the leaves of a tree: faces with `first_id` + ShapeIndex as their ids, and each crease

@@ -212,6 +212,22 @@ TEST_F(ApplicationTest, ATapOnAShapeSelectsIt) {
   EXPECT_EQ(state().selection.shapes.size(), 1u);
 }
 
+TEST_F(ApplicationTest, AHoveringPenMarksWhatItMeans) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const auto at = [&](const Vec2& px) {
+    Pen(PenEvent::Kind::kProximityIn, px);
+    Settle();
+    return *application_->Screenshot();
+  };
+  const auto away = at(Pixel({-30, 0, 0}));
+  const auto on_face = at(Pixel({10, 0, 7}));
+  const auto on_corner = at(Pixel({0.05, 0, 13.95}));
+  EXPECT_GT(tests::Compare(away, on_face, {2, 0}).pixels, 100u) << "the outline of the lot";
+  EXPECT_GT(tests::Compare(on_face, on_corner, {2, 0}).pixels, 20u) << "a dot on the corner";
+}
+
 TEST_F(ApplicationTest, TheEraserTakesStrokesAway) {
   PlugIn();
   Do("lot rect(20,14)");
