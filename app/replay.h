@@ -31,6 +31,7 @@ class Player {
   /// Both must outlive it.
   Player(Session* session, ReplayReport* report) : session_(session), report_(report) {}
 
+  /// Strokes that this event completes reach the session.
   void Feed(const InputEvent& event);
   /// A command as text. errors  those of ParseCommand, before_command and Session::Execute.
   Result<void> Execute(const std::string& command);

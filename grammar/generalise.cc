@@ -249,7 +249,8 @@ class Candidates {
     size_t count = 0;
     for (const auto& product : *products) count += product.size();
     const auto n = static_cast<double>(tapped_.size());
-    const double cost = n * std::log2(static_cast<double>(count) / n) +
+    const double evidence = n - 1 + parameters_.first_tap;
+    const double cost = evidence * std::log2(static_cast<double>(count) / n) +
                         parameters_.bits_per_part * static_cast<double>(PartsOf(query));
     const uint64_t key = KeyOf(*products);
     for (Found& other : found_) {

@@ -14,9 +14,12 @@ namespace parti::grammar {
 /// The numbers of generalising.
 struct GeneraliseParameters {
   /// What a part of a query (a symbol, a filter, a number; an operation twice that, since few
-  /// people think in them) costs [bit], (0, 10]. Chosen so that one tap on a window of a façade of
-  /// 60 offers its direction before its row, and both before itself alone.
+  /// people think in them) costs [bit], (0, 10]. Chosen so that one tap on a window of a
+  /// façade of 60 offers its kind before its side, and its side before its row.
   double bits_per_part = 1.5;
+  /// What the first tap counts for, further ones counting 1 each, [0, 1]: a single tap says what is
+  /// meant, and little of how few.
+  double first_tap = 0.4;
   /// Shapes above the tapped ones whose position is looked at, the nearest that have siblings,
   /// [0, 8]: windows in rows in parts of façades have 3.
   int most_levels = 3;
@@ -45,9 +48,10 @@ struct QueryCandidate {
 /// one shape selects nothing else. The kind, the side and the narrowest are always among them.
 ///
 /// trees    the lots' trees, not null; tapped  n >= 1, each in one of them.
-/// returns  best first. cost = n log2(count / n) + bits_per_part * parts: the shorter query, unless
-///          it selects many more (the size principle: whoever means more would tap more variously).
-///          No two select the same; the cheaper one is kept. Empty where tapped is.
+/// returns  best first. cost = (n - 1 + first_tap) log2(count / n) + bits_per_part * parts: the
+///          shorter query, unless it selects many more (the size principle: whoever means more
+///          would tap more variously). No two select the same; the cheaper one is kept. Empty where
+///          tapped is.
 /// cost     linear in the trees for each query that is tried, at most about 100.
 /// Properties: (1) each selects all that was tapped; (2) its count is what ProductOf says; (3) the
 /// order of tapping does not matter.
