@@ -96,12 +96,12 @@ struct LibinputSource::State {
   Descriptor timer{::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)};
   Descriptor both{::epoll_create1(EPOLL_CLOEXEC)};  // libinput's descriptor and the timer's
 
-  Result<void> Begin();
-  void SetTimer();
+  Result<void> Begin() const;
+  void SetTimer() const;
 };
 
 /// Makes one descriptor of libinput's and the timer's.
-Result<void> LibinputSource::State::Begin() {
+Result<void> LibinputSource::State::Begin() const {
   if (!context) return Fail(ErrorCode::kDevice, "libinput can't be started");
   libinput_log_set_handler(context.get(), DropMessage);
   for (const int fd : {libinput_get_fd(context.get()), timer.get()}) {
@@ -113,7 +113,7 @@ Result<void> LibinputSource::State::Begin() {
 }
 
 /// To the time when a held key types again; off while none is held.
-void LibinputSource::State::SetTimer() {
+void LibinputSource::State::SetTimer() const {
   const double due_s = devices.Due_s().value_or(0);
   itimerspec time{};
   time.it_value.tv_sec = static_cast<time_t>(due_s);
