@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "app/picking.h"
-#include "app/session_commands.h"
 #include "app/view_request.h"
 #include "render/gl_framebuffer.h"
 #include "render/read_image.h"
@@ -18,7 +17,6 @@ namespace {
 using input::DragPhase;
 using input::PenAct;
 
-constexpr double kSnap_px = 8;   ///< how near a corner or an edge is meant
 constexpr double kRest_s = 0.3;  ///< after which a wheel is taken to have stopped
 
 double Now_s() {
@@ -51,20 +49,7 @@ PenAct ActOf(PointerMode mode) {
   return PenAct::kDraw;
 }
 
-/// Whether two snaps are marked in the same way.
-bool LooksAlike(const std::optional<Snap>& a, const std::optional<Snap>& b) {
-  if (!a || !b) return !a && !b;
-  if (a->kind != b->kind) return false;
-  if (a->kind == Snap::Kind::kCorner) return a->point == b->point;
-  return a->kind == Snap::Kind::kFace || (a->edge.a == b->edge.a && a->edge.b == b->edge.b);
-}
-
 }  // namespace
-
-std::shared_ptr<const SessionState> TriedOut(const Trial& trial) {
-  auto tried = After(*trial.state, trial.number, {});
-  return tried ? std::make_shared<const SessionState>(std::move(*tried)) : trial.state;
-}
 
 Application::Application(Display* display, SessionThread* session, ApplicationOptions options)
     : display_(display),
@@ -128,7 +113,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   Take(*news);
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
-  if (trials_.ready().Clear() && trial_) picture_->SetState(*trials_.newest());
+  if (auto tried = trials_.TakeNewest()) picture_->SetState(std::move(tried));
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
   // While a line is being drawn, panels have stepped aside and wait.
@@ -187,7 +172,7 @@ void Application::TakeSnapshot() {
     told_ = snapshot_->state->camera;
     LookFrom(told_);
   }
-  if (!trial_) picture_->SetState(snapshot_->state);
+  if (!trials_.going_on()) picture_->SetState(snapshot_->state);
   ink_->Show(*snapshot_, looking_.camera());
   overlay_stale_ = panels_stale_ = true;
 }
@@ -239,7 +224,7 @@ void Application::Looked(bool changed) {
   if (!changed) return;
   ink_->Show(*snapshot_, looking_.camera());
   marks_stale_ = true;
-  LeaveShape();
+  hovering_.End();
   // Looking around in an empty document is no reason to begin one on the disk.
   if (posted_ > 0 || !snapshot_->state->model.lots().empty()) sync_at_s_ = Now_s() + kRest_s;
 }
@@ -272,26 +257,12 @@ void Application::Take(const input::TapGesture& tap) {
 
 void Application::Take(const HoverAct& act) {
   pen_.position_px = act.px;
-  const auto shape = picture_->ShapeUnder(act.px);
-  std::optional<Snap> snap;
-  if (shape) {
-    snap = SnapAt(picture_->shown_state()->model, *shape, looking_.camera(), act.px,
-                  kSnap_px * display_->scale());
-  }
-  marks_stale_ |= !(shape == hovered_) || !LooksAlike(snap, snap_);
-  hovered_ = shape;
-  snap_ = std::move(snap);
+  marks_stale_ |= hovering_.At(act.px, *picture_, looking_.camera(), display_->scale());
 }
 
 void Application::Take(const HoverEndAct&) {
   pen_.position_px.reset();
-  LeaveShape();
-}
-
-void Application::LeaveShape() {
-  if (hovered_) marks_stale_ = true;
-  hovered_.reset();
-  snap_.reset();
+  marks_stale_ |= hovering_.End();
 }
 
 void Application::Take(const PanelAct& act) {
@@ -406,16 +377,6 @@ PanelView Application::ViewForPanels() const {
   return view;
 }
 
-void Application::TakeTrial(const std::optional<SetNumber>& trial) {
-  if (trial == trial_) return;
-  trial_ = trial;
-  if (trial_) {
-    trials_.Ask({snapshot_->state, *trial_});
-  } else {
-    picture_->SetState(snapshot_->state);
-  }
-}
-
 void Application::RunPanels(std::vector<PanelEvent> events) {
   std::vector<PanelEvent> all = std::move(panel_events_);
   panel_events_.clear();
@@ -429,7 +390,9 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   if (panel_output_->changed) canvas_->SetPanels(panel_output_->mesh);
   if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
   preview_ = panel_output_->preview;
-  TakeTrial(panel_output_->trial);
+  if (trials_.Set(panel_output_->trial, snapshot_->state) && !trials_.going_on()) {
+    picture_->SetState(snapshot_->state);
+  }
   // Commands may change what the panels show: they are copied, and done after the frame.
   const std::vector<PanelCommand> commands = panel_output_->commands;
   for (const PanelCommand& command : commands) Do(command);
@@ -440,10 +403,7 @@ void Application::ShowMarks() {
   const View view(looking_.camera());
   std::vector<render::Mark> marks;
   Project(overlay_, view, &marks);
-  if (hovered_ && picture_->shown_state()) {
-    Project({HoverOf(picture_->shown_state()->model, *hovered_)}, view, &marks);
-  }
-  if (snap_) AddSnap(*snap_, view, &marks);
+  hovering_.AddMarks(*picture_, view, &marks);
   canvas_->SetMarksBelowPanels(std::move(marks));
   overlay_stale_ = marks_stale_ = false;
 }

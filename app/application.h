@@ -12,6 +12,7 @@
 
 #include "app/display/display.h"
 #include "app/folder_list.h"
+#include "app/hovering.h"
 #include "app/ink_desk.h"
 #include "app/looking.h"
 #include "app/model_picture.h"
@@ -20,18 +21,9 @@
 #include "app/session_thread.h"
 #include "app/settings.h"
 #include "app/shortcuts.h"
-#include "app/snap.h"
+#include "app/trial.h"
 
 namespace parti::app {
-
-/// A number that is being dragged, on the state that it is of.
-struct Trial {
-  std::shared_ptr<const SessionState> state;
-  SetNumber number;
-};
-
-/// What it would come to; the state itself where it can't be.
-std::shared_ptr<const SessionState> TriedOut(const Trial& trial);
 
 /// What an application begins with.
 struct ApplicationOptions {
@@ -98,7 +90,6 @@ class Application {
 
   void Do(ViewRequest view);
   bool TakeShortcut(const KeyEvent& key);
-  void LeaveShape();
   void SelectUnder(const Vec2& px);
   void SweepSelect(const DragAct& drag);
   void Looked(bool changed);
@@ -108,7 +99,6 @@ class Application {
   uint64_t Post(SessionRequest request);
 
   bool OverPanel(const Vec2& px);
-  void TakeTrial(const std::optional<SetNumber>& trial);
   void RunPanels(std::vector<PanelEvent> events);
   PanelView ViewForPanels() const;
   void ShowMarks();
@@ -128,8 +118,7 @@ class Application {
   std::unique_ptr<InkDesk> ink_;
   LatestWorker<std::string, PanelFiles> folders_{ListOf};
   LatestWorker<Settings, Result<void>> keeper_;
-  LatestWorker<Trial, std::shared_ptr<const SessionState>> trials_{TriedOut};
-  std::optional<SetNumber> trial_;  // of a number that is being dragged
+  Trials trials_;
 
   std::shared_ptr<const SessionSnapshot> snapshot_;
   const PanelOutput* panel_output_ = nullptr;
@@ -140,8 +129,7 @@ class Application {
   PointerMode mode_ = PointerMode::kDraw;
   PanelPen pen_;
   std::optional<Vec2> tapped_px_;
-  std::optional<ShapeRef> hovered_;
-  std::optional<Snap> snap_;  // what is meant on it
+  Hovering hovering_;
   std::optional<size_t> preview_;
   std::vector<std::string> swept_;  // shapes that a selecting drag has passed
   std::vector<WorldMarks> overlay_;
