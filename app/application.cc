@@ -266,10 +266,10 @@ void Application::Take(const HoverEndAct&) {
 }
 
 void Application::Take(const PanelAct& act) {
-  if (const auto* key = std::get_if<KeyEvent>(&act.event)) {
-    if (!panel_output_->takes_keys && TakeShortcut(*key)) return;
-  }
-  panel_events_.push_back(act.event);
+  const auto* key = std::get_if<KeyEvent>(&act.event);
+  if (!key) return panel_events_.push_back(act.event);
+  RunPanels({act.event});  // only they know whether it was theirs: a field, the focus, a sheet
+  if (!panel_output_->takes_keys) static_cast<void>(TakeShortcut(*key));
 }
 
 void Application::Take(const DragAct& act) {

@@ -41,7 +41,7 @@ std::string HintOf(const PanelView& view) {
   }
   if (view.mode != PointerMode::kDraw) return HintOfMode(view.mode);
   if (!HasNodes(state)) return "Draw a line up from the lot: it becomes a building.";
-  return "Draw lines on a face to divide it; tap a rule to change its numbers.";
+  return "Draw lines on a face to divide it. The rules (R) hold every number.";
 }
 
 }  // namespace parti::app::panels

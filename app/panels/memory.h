@@ -18,10 +18,10 @@ enum class Sheet : uint8_t { kNone, kDocument, kOpen, kSaveAs, kViews, kExport, 
 struct Memory {
   Layout layout;
   Sheet open = Sheet::kNone;
-  Box opened_at;            ///< the button that opened it
-  bool rules_shown = true;  ///< wanted; narrow windows show it only when asked
-  uint64_t dismissed = 0;   ///< FailedRequest::number that was read
-  std::string file_name;    ///< being given, without its folder
+  Box opened_at;             ///< the button that opened it
+  bool rules_shown = false;  ///< the drawing stays clear until they are asked for
+  uint64_t dismissed = 0;    ///< FailedRequest::number that was read
+  std::string file_name;     ///< being given, without its folder
   std::string export_ending = "glb";
   std::string view_name;
   std::vector<int> shown_node;    ///< path of the row in hand that was scrolled into sight

@@ -202,14 +202,14 @@ void Panels::Parts::DrawAll() {
 void Panels::Parts::DrawColumn() {
   if (!memory_.rules_shown) return;
   Box column = memory_.layout.rules;
+  const float gap = ui_.U(8), rules = RulesHeight(&ui_, column.width());
   const auto* node = NodeInHand(view_);
-  if (node) {
-    const float wanted = NodeHeight(&ui_, *node, column.width());
-    const Box below = column.CutBottom(std::min(wanted, column.height() * 0.58f), ui_.U(8));
-    DrawRules(&ui_, &memory_, column);
-    return DrawNode(&ui_, *node, below);
-  }
-  DrawRules(&ui_, &memory_, column.CutTop(RulesHeight(&ui_, column.width())));
+  if (!node) return DrawRules(&ui_, &memory_, column.CutTop(rules));
+  const float wanted = NodeHeight(&ui_, *node, column.width());
+  const float most = std::max(column.height() * 0.58f, column.height() - rules - gap);
+  const float below = std::min(wanted, most);
+  DrawRules(&ui_, &memory_, column.CutTop(std::min(rules, column.height() - below - gap), gap));
+  DrawNode(&ui_, *node, column.CutTop(below));
 }
 
 /// What a command changed is seen by the next press of the same frame.

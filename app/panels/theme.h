@@ -71,6 +71,6 @@ inline constexpr Measures kMeasures;
 /// The scale that is used: what is set, less in windows too small for it: both sides have at least
 /// kLeastSide units, a little more than what the narrowest panels need.
 double UsedScale(double wanted, const Vec2& size_px);
-inline constexpr double kLeastSide = 480;
+inline constexpr double kLeastSide = 490;
 
 }  // namespace parti::app::panels

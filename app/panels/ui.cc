@@ -158,6 +158,16 @@ Box Ui::BeginList(std::string_view name, const Box& box, float content_height) {
 }
 
 void Ui::EndList() {
+  // Where there is more, rows fade out instead of being cut.
+  const Color solid = palette_->panel, clear = solid & 0x00ffffffu;
+  const float fade = U(20);
+  const Box box = *list_;
+  if (ImGui::GetScrollY() > 0) {
+    list()->AddRectFilledMultiColor(Low(box), {box.x1, box.y0 + fade}, solid, solid, clear, clear);
+  }
+  if (ImGui::GetScrollY() < ImGui::GetScrollMaxY()) {
+    list()->AddRectFilledMultiColor({box.x0, box.y1 - fade}, High(box), clear, clear, solid, solid);
+  }
   list_.reset();
   ImGui::EndChild();
 }

@@ -35,6 +35,7 @@ class PanelDriver {
   std::vector<PanelCommand> PressByKeys(const std::string& name);
 
   const PanelOutput& last() const { return *last_; }
+  const PanelOutput& last_or_first() { return last_ ? *last_ : Frame(); }
 
  private:
   std::vector<PanelCommand> Done();

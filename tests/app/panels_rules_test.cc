@@ -18,6 +18,7 @@ class PanelsRules : public ::testing::Test {
   void SetUp() override {
     panels_.view.session = WholeHouse();
     panels_.view.size_px = {1600, 1400};
+    panels_.Tap("Menu/Rules");
   }
   void Take(const NodePath& path) { panels_.view.session = Taken(WholeHouse(), path); }
   PanelDriver panels_;

@@ -1,0 +1,161 @@
+// Pictures of every panel in both themes at 1x and 2x, as docs/panels.md shows them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/panels_driver.h"
+#include "tests/app/panels_picture.h"
+#include "tests/support/golden.h"
+
+namespace parti::app::tests {
+namespace {
+
+using parti::tests::ExpectGolden;
+
+/// Theme and scale of a picture.
+struct PictureCase {
+  Theme theme;
+  double scale;
+  std::string name() const {
+    return fmt::format("{}-{}x", theme == Theme::kLight ? "light" : "dark", scale);
+  }
+};
+
+class PanelsGolden : public ::testing::TestWithParam<PictureCase> {
+ protected:
+  void SetUp() override {
+    panels_.view.settings.theme = GetParam().theme;
+    panels_.view.scale = GetParam().scale;
+    Resize({1280, 800});
+    panels_.view.files = {{"/srv/models/Courtyard.parti", "/srv/models/Town house.parti"},
+                          "/srv/models",
+                          {{"Studies", true},
+                           {"Courtyard.parti", false},
+                           {"House.parti", false},
+                           {"Town house.parti", false}}};
+  }
+  /// In the panels' units.
+  void Resize(const Vec2& size) { panels_.view.size_px = size * GetParam().scale; }
+  /// Of the whole window, or of the sheets named.
+  void Look(const std::string& name, const std::vector<std::string>& sheets = {},
+            double margin = 14) {
+    const PanelOutput& output = panels_.Frame();
+    // Parts, and all at 2x, are shown on paper: the house is large as a picture, and always the
+    // same.
+    const bool house = sheets.empty() && GetParam().scale == 1;
+    const auto* session = house ? panels_.view.session.get() : nullptr;
+    const auto image = PictureWith(output, session, panels_.view.size_px);
+    ExpectGolden(AroundSheets(image, output, sheets, margin * GetParam().scale),
+                 "../../docs/panels/" + name + "-" + GetParam().name());
+  }
+  PanelDriver panels_;
+};
+
+TEST_P(PanelsGolden, FirstStart) { Look("first-start"); }
+
+TEST_P(PanelsGolden, Suggestions) {
+  panels_.view.session = HouseBeforePick(3);
+  panels_.Hover("Suggestions/1");
+  Look("suggestions");
+}
+
+TEST_P(PanelsGolden, RulesAndTheNodeInHand) {
+  panels_.view.session = Taken(WholeHouse(), {0, 0, 0, 0});
+  panels_.Tap("Menu/Rules");
+  panels_.Frame({PanelPointerGone{}});
+  Look("rules", {"Rules", "Node", "Menu"});
+}
+
+TEST_P(PanelsGolden, Queries) {
+  panels_.view.session = HouseWithTaps(2);
+  panels_.view.mode = PointerMode::kSelect;
+  panels_.Tap("Menu/Rules");
+  panels_.view.tapped_px = Vec2(520, 420) * GetParam().scale;
+  Look("queries");
+}
+
+TEST_P(PanelsGolden, Document) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Title/Document");
+  Look("document", {"Title", "Document"});
+}
+
+TEST_P(PanelsGolden, Open) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Title/Document");
+  panels_.Tap("Document/Open…");
+  Look("open", {"Title", "Open"});
+}
+
+TEST_P(PanelsGolden, SaveAs) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Title/Document");
+  panels_.Tap("Document/Save as…");
+  Look("save-as", {"Title", "Save as"});
+}
+
+TEST_P(PanelsGolden, Views) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Menu/Views");
+  Look("views", {"Menu", "Views"});
+}
+
+TEST_P(PanelsGolden, Export) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Menu/Export");
+  Look("export", {"Menu", "Export"});
+}
+
+TEST_P(PanelsGolden, Settings) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Menu/Settings");
+  Look("settings", {"Menu", "Settings"});
+}
+
+TEST_P(PanelsGolden, Tools) {
+  panels_.view.session = WholeHouse();
+  panels_.view.mode = PointerMode::kOrbit;
+  panels_.Hover("Tools/Undo");
+  Look("tools", {"Title", "Tools"}, 40);
+}
+
+TEST_P(PanelsGolden, Trouble) {
+  panels_.view.session = InTrouble(WholeHouse());
+  Look("trouble", {"Status"});
+}
+
+TEST_P(PanelsGolden, Keyboard) {
+  panels_.view.session = WholeHouse();
+  panels_.view.has_keys = false;
+  Resize({800, 600});
+  panels_.Tap("Menu/Views");
+  panels_.Tap("Views/Keep this view as");
+  panels_.Tap("Keyboard/s");
+  Look("keyboard");
+}
+
+TEST_P(PanelsGolden, Portrait) {
+  panels_.view.session = Taken(WholeHouse(), {0, 0, 0});
+  Resize({540, 960});
+  panels_.Tap("Menu/Rules");
+  Look("portrait");
+}
+
+TEST_P(PanelsGolden, LeftHanded) {
+  panels_.view.settings.left_handed = true;
+  panels_.view.session = HouseBeforePick(6);
+  Look("left-handed");
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, PanelsGolden,
+                         ::testing::Values(PictureCase{Theme::kLight, 1},
+                                           PictureCase{Theme::kLight, 2},
+                                           PictureCase{Theme::kDark, 1},
+                                           PictureCase{Theme::kDark, 2}),
+                         [](const auto& tested) {
+                           std::string words = tested.param.name();
+                           std::replace(words.begin(), words.end(), '-', '_');
+                           return words;
+                         });
+
+}  // namespace
+}  // namespace parti::app::tests

@@ -1,0 +1,209 @@
+// The sheets that open under buttons, the keyboard on the screen, and stepping aside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
+
+#include "input/binding_table.h"
+#include "tests/app/panels_driver.h"
+
+namespace parti::app::tests {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using Kind = DocumentRequest::Kind;
+
+class PanelsSheets : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    panels_.view.session = WholeHouse();
+    panels_.view.files = {
+        {"/srv/Old.parti"}, "/srv", {{"Studies", true}, {"Courtyard.parti", false}}};
+  }
+  bool ShowsSheet(const std::string& name) {
+    const auto& sheets = panels_.Frame().sheets;
+    return std::any_of(sheets.begin(), sheets.end(),
+                       [&](const PanelSheet& sheet) { return sheet.name == name; });
+  }
+  PanelDriver panels_;
+};
+
+TEST_F(PanelsSheets, ANewDocumentIsAskedFor) {
+  panels_.Tap("Title/Document");
+  EXPECT_THAT(panels_.Tap("Document/New"), ElementsAre(PanelCommand(DocumentRequest{Kind::kNew})));
+  EXPECT_FALSE(ShowsSheet("Document"));
+}
+
+TEST_F(PanelsSheets, ADocumentIsOpenedFromItsFolder) {
+  panels_.Tap("Title/Document");
+  EXPECT_THAT(panels_.Tap("Document/Open…"), ElementsAre(PanelCommand(ListFolder{"/srv"})));
+  EXPECT_THAT(panels_.Tap("Open/Studies"), ElementsAre(PanelCommand(ListFolder{"/srv/Studies"})));
+  EXPECT_THAT(panels_.Tap("Open/The folder above"), ElementsAre(PanelCommand(ListFolder{"/"})));
+  EXPECT_THAT(panels_.Tap("Open/Courtyard.parti"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kOpen, "/srv/Courtyard.parti"})));
+}
+
+TEST_F(PanelsSheets, RecentOnesAreOneTapAway) {
+  panels_.Tap("Title/Document");
+  EXPECT_THAT(panels_.Tap("Document/Recent /srv/Old.parti"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kOpen, "/srv/Old.parti"})));
+}
+
+TEST_F(PanelsSheets, ItIsSavedUnderATypedName) {
+  panels_.Tap("Title/Document");
+  panels_.Tap("Document/Save as…");
+  panels_.Tap("Save as/Name");
+  panels_.Type("Tower");
+  panels_.Key(KEY_ENTER);
+  EXPECT_THAT(panels_.Tap("Save as/Save here"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kSaveAs, "/srv/Tower.parti"})));
+}
+
+TEST_F(PanelsSheets, TroubleOffersAnotherPlace) {
+  panels_.view.session = InTrouble(WholeHouse());
+  panels_.Tap("Status/Save elsewhere");
+  EXPECT_TRUE(ShowsSheet("Save as"));
+}
+
+TEST_F(PanelsSheets, AMessageThatWasReadIsClosed) {
+  panels_.view.session = InTrouble(WholeHouse());
+  panels_.Tap("Status/Close the message");
+  EXPECT_FALSE(panels_.Shows("Status/Close the message"));
+}
+
+TEST_F(PanelsSheets, AModelIsExportedInTheChosenFormat) {
+  panels_.Tap("Menu/Export");
+  panels_.Tap("Export/.obj");
+  EXPECT_THAT(panels_.Tap("Export/Export"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kExport, "/srv/House.obj"})));
+}
+
+TEST_F(PanelsSheets, ViewsAreKeptAndTurnedTo) {
+  panels_.Tap("Menu/Views");
+  EXPECT_THAT(panels_.Tap("Views/South"), ElementsAre(PanelCommand(ViewRequest::kSouth)));
+  panels_.Tap("Views/Keep this view as");
+  panels_.Type("street corner");
+  EXPECT_THAT(panels_.Key(KEY_ENTER),
+              ElementsAre(PanelCommand(Command(KeepView{"street corner"}))));
+}
+
+TEST_F(PanelsSheets, KeptViewsAreGoneToAndDropped) {
+  SessionState state = *panels_.view.session->state;
+  state.views.push_back({"yard", state.camera});
+  auto session = std::make_shared<SessionSnapshot>(*panels_.view.session);
+  session->state = std::make_shared<const SessionState>(std::move(state));
+  panels_.view.session = session;
+  panels_.Tap("Menu/Views");
+  EXPECT_THAT(panels_.Tap("Views/Go to yard"), ElementsAre(PanelCommand(Command(GoView{"yard"}))));
+  EXPECT_THAT(panels_.Tap("Views/Drop yard"), ElementsAre(PanelCommand(Command(DropView{"yard"}))));
+}
+
+TEST_F(PanelsSheets, SettingsChangeOneThingAtATime) {
+  panels_.Tap("Menu/Settings");
+  Settings dark = panels_.view.settings;
+  dark.theme = Theme::kDark;
+  EXPECT_THAT(panels_.Tap("Settings/Dark"), ElementsAre(PanelCommand(dark)));
+  Settings larger = panels_.view.settings;
+  larger.scale = 1.25;
+  EXPECT_THAT(panels_.Tap("Settings/Larger panels"), ElementsAre(PanelCommand(larger)));
+  Settings left = panels_.view.settings;
+  left.left_handed = true;
+  EXPECT_THAT(panels_.Tap("Settings/Left-handed"), ElementsAre(PanelCommand(left)));
+}
+
+TEST_F(PanelsSheets, TheButtonsOfThePenAreBoundAnew) {
+  panels_.Tap("Menu/Settings");
+  const auto commands = panels_.Tap("Settings/Lower button");
+  ASSERT_EQ(commands.size(), 1u);
+  const auto table = input::ReadBindings(std::get<Settings>(commands[0]).bindings);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(input::ActFor(*table, input::PenSource::kPen, 0, {{BTN_STYLUS}}),
+            input::PenAct::kSelect);
+}
+
+TEST_F(PanelsSheets, TwoTapsInOneFrameBothCount) {
+  panels_.Tap("Menu/Settings");
+  const Vec2 dark = MiddleOf(panels_.Find("Settings/Dark"));
+  const Vec2 left = MiddleOf(panels_.Find("Settings/Left-handed"));
+  const PanelOutput& output = panels_.Frame({PanelPointer{dark, true}, PanelPointer{dark, false},
+                                             PanelPointer{left, true}, PanelPointer{left, false}});
+  ASSERT_EQ(output.commands.size(), 2u);
+  const auto& both = std::get<Settings>(output.commands[1]);
+  EXPECT_TRUE(both.left_handed && both.theme == Theme::kDark);
+}
+
+TEST_F(PanelsSheets, KeysOpenAndCloseThem) {
+  panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = true}});
+  panels_.Key(KEY_S);
+  panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = false}});
+  EXPECT_TRUE(ShowsSheet("Save as"));
+  panels_.Frame({KeyEvent{.code = KEY_ESC, .pressed = true}});
+  EXPECT_TRUE(panels_.last().takes_keys);
+  EXPECT_FALSE(ShowsSheet("Save as"));
+  panels_.Frame({KeyEvent{.code = KEY_ESC, .pressed = true}});
+  EXPECT_FALSE(panels_.last().takes_keys) << "there was nothing more to close";
+}
+
+TEST_F(PanelsSheets, ThePenOnTheDrawingClosesThem) {
+  panels_.Tap("Menu/Views");
+  panels_.view.pen = {Vec2(700, 500), true};
+  EXPECT_FALSE(ShowsSheet("Views"));
+}
+
+TEST_F(PanelsSheets, WithoutAKeyboardOneComesUpAndTypes) {
+  panels_.view.has_keys = false;
+  panels_.Tap("Menu/Views");
+  EXPECT_FALSE(ShowsSheet("Keyboard"));
+  panels_.Tap("Views/Keep this view as");
+  ASSERT_TRUE(ShowsSheet("Keyboard"));
+  panels_.Tap("Keyboard/Capitals");
+  panels_.Tap("Keyboard/Y");
+  panels_.Tap("Keyboard/a");
+  panels_.Tap("Keyboard/s");
+  panels_.Tap("Keyboard/Backspace");
+  panels_.Tap("Keyboard/Space");
+  panels_.Tap("Keyboard/Signs");
+  panels_.Tap("Keyboard/2");
+  EXPECT_THAT(panels_.Tap("Keyboard/Enter"), ElementsAre(PanelCommand(Command(KeepView{"Ya 2"}))));
+  EXPECT_FALSE(ShowsSheet("Keyboard"));
+}
+
+TEST_F(PanelsSheets, PanelsWithinReachStepAsideWhileThePenDraws) {
+  const Vec2 beside = MiddleOf(panels_.Find("Tools/Undo")) + Vec2(80, 0);
+  panels_.view.pen = {beside, true};
+  EXPECT_FALSE(ShowsSheet("Tools"));
+  EXPECT_TRUE(ShowsSheet("Menu")) << "what is far away stays";
+  panels_.view.pen = {Vec2(700, 500), true};
+  EXPECT_FALSE(ShowsSheet("Tools")) << "nothing flickers under way";
+  panels_.view.pen = {Vec2(700, 500), false};
+  EXPECT_TRUE(ShowsSheet("Tools"));
+}
+
+TEST_F(PanelsSheets, WhileThePenDrawsAFrameWithoutNewsChangesNothing) {
+  panels_.view.pen = {Vec2(700, 500), true};
+  panels_.Frame();
+  panels_.view.pen.position_px = Vec2(710, 505);
+  EXPECT_FALSE(panels_.Frame().changed);
+}
+
+TEST_F(PanelsSheets, AListScrollsUnderAFingerAndNothingIsPressed) {
+  panels_.view.session = Taken(WholeHouse(), {});  // the list is at its top
+  panels_.view.size_px = {1280, 620};
+  panels_.Tap("Menu/Rules");
+  const PanelTarget row = panels_.Find("Rules/0/0/0 ");
+  const double y = MiddleOf(row).y;
+  EXPECT_THAT(panels_.Drag("Rules/0/0/0 ", {0, -60}), IsEmpty());
+  EXPECT_LT(MiddleOf(panels_.Find("Rules/0/0/0 ")).y, y - 30);
+}
+
+TEST_F(PanelsSheets, AWheelScrollsTheListUnderThePointer) {
+  panels_.view.session = Taken(WholeHouse(), {});  // the list is at its top
+  panels_.view.size_px = {1280, 620};
+  panels_.Tap("Menu/Rules");
+  const Vec2 at = MiddleOf(panels_.Find("Rules/0/0/0 "));
+  panels_.Frame({PanelPointer{at, false}, PanelScroll{{0, 1}}});
+  EXPECT_LT(MiddleOf(panels_.Find("Rules/0/0/0 ")).y, at.y - 10);
+}
+
+}  // namespace
+}  // namespace parti::app::tests
