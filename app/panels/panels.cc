@@ -160,7 +160,7 @@ void Panels::Parts::FeedKey(const KeyEvent& key) {
   if (ui_.field_active() || !PressSheetKey(key, host_.control(), &memory_)) return ui_.FeedKey(key);
   took_key_ = true;
   const bool lists = memory_.open == Sheet::kOpen || memory_.open == Sheet::kSaveAs;
-  if (lists) output_.commands.push_back(ListFolder{view_.files.folder});
+  if (lists) output_.commands.emplace_back(ListFolder{view_.files.folder});
 }
 
 void Panels::Parts::Once(double step_s) {

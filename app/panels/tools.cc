@@ -52,7 +52,8 @@ void DrawTools(Ui* ui, const Memory& memory) {
   int i = 0;
   for (const Tool& tool : ToolsOf(ui->view())) {
     const auto column = static_cast<float>(i % layout.tool_columns);
-    const auto row = static_cast<float>(i / layout.tool_columns);
+    const int rows_above = i / layout.tool_columns;
+    const auto row = static_cast<float>(rows_above);
     const Box box = BoxAt(layout.tools.x0 + gap + column * (side + gap),
                           layout.tools.y0 + gap + row * (side + gap), side, side);
     const ButtonLook look{.name = tool.name,
