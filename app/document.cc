@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -60,10 +61,15 @@ bool Exists(const std::string& path) {
   return fs::exists(path, code);
 }
 
-/// A log that a killed program left beside a document goes into that document: it must not be
-/// found beside the one that takes its place.
+/// Files that SQLite keeps beside a database while it works: what a killed program left in them
+/// belongs to that database, and would destroy another of the same name.
+constexpr std::array kBeside = {"-wal", "-journal", "-shm"};
+
+/// Whether what a database holds is not in its file alone.
+bool HasLog(const std::string& path) { return Exists(path + "-wal") || Exists(path + "-journal"); }
+
 void SettleLog(const std::string& path) {
-  if (!Exists(path + "-wal")) return;
+  if (!HasLog(path)) return;
   if (auto old = Database::Open(path, Database::Mode::kWrite)) {
     static_cast<void>(old->Execute("PRAGMA journal_mode=DELETE"));
   }
@@ -107,8 +113,10 @@ Result<Document> ReadFromCopy(const std::string& path) {
   fs::create_directory(folder, code);
   const std::string copy = (folder / "copy.parti").string();
   fs::copy_file(path, copy, fs::copy_options::overwrite_existing, code);
-  if (!code) {
-    fs::copy_file(path + "-wal", copy + "-wal", fs::copy_options::overwrite_existing, code);
+  for (const char* log : {"-wal", "-journal"}) {
+    if (!code && Exists(path + log)) {
+      fs::copy_file(path + log, copy + log, fs::copy_options::overwrite_existing, code);
+    }
   }
   auto document = code ? Result<Document>(Fail(ErrorCode::kFile, fmt::format("can't read {}: {}",
                                                                              path, code.message())))
@@ -167,7 +175,7 @@ Result<void> ReplaceDocument(const Document& document, const std::string& path) 
   std::remove(temporary.c_str());
   auto done = WriteNewFile(document, temporary);
   if (done) {
-    for (const char* log : {"-wal", "-shm"}) std::remove((target + log).c_str());
+    for (const char* log : kBeside) std::remove((target + log).c_str());
     done = Rename(temporary, target);
   }
   if (done) {
@@ -181,8 +189,7 @@ Result<void> ReplaceDocument(const Document& document, const std::string& path) 
 Result<Document> OpenDocument(const std::string& path) {
   auto document = ReadFrom(path, Database::Mode::kRead);
   if (document || document.error().code != ErrorCode::kFile || !Exists(path)) return document;
-  return Exists(path + "-wal") ? ReadFromCopy(path)
-                                   : ReadFrom(path, Database::Mode::kReadAlone);
+  return HasLog(path) ? ReadFromCopy(path) : ReadFrom(path, Database::Mode::kReadAlone);
 }
 
 bool LooksLikeDocument(const std::string& path) {

@@ -8,13 +8,14 @@
 namespace parti::app {
 namespace {
 
-/// A value of the first row, or "" where there is none.
+/// A value of the first row.
 Result<std::string> FirstText(Database* database, std::string_view sql) {
   auto statement = database->Prepare(sql);
   if (!statement) return Fail(statement);
   const auto row = statement->Step();
   if (!row) return Fail(row);
-  return *row ? statement->Text(0) : std::string();
+  if (!*row) return Fail(ErrorCode::kDamagedFile, fmt::format("nothing comes of {}", sql));
+  return statement->Text(0);
 }
 
 /// The lots of version 1, as the text that they are in version 2.

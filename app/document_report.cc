@@ -57,6 +57,14 @@ class PenEvents {
   double last_s_ = 0;
 };
 
+/// Rules may be typed on several lines; a drawing's commands are one each.
+std::string OneLine(std::string line) {
+  for (char& c : line) {
+    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
+  }
+  return line;
+}
+
 /// N of "stroke N".
 std::optional<uint32_t> StrokeNumber(std::string_view line) {
   constexpr std::string_view kStroke = "stroke ";
@@ -80,7 +88,7 @@ Result<input::Drawing> DrawingOf(const Document& document) {
   for (const std::string& line : document.history) {
     const auto number = StrokeNumber(line);
     if (!number) {
-      drawing.commands.push_back({drawn, line});
+      drawing.commands.push_back({drawn, OneLine(line)});
       continue;
     }
     const auto found = strokes.find(*number);

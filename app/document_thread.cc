@@ -8,15 +8,15 @@ namespace {
 
 // How often writing is tried again where it failed.
 constexpr auto kTryAgain = std::chrono::seconds(2);
+// How often news come while the session is at work, so that long work is seen.
+constexpr auto kStillThere = std::chrono::milliseconds(250);
 // Changes that one transaction takes at most: the others need not wait for a long one.
 constexpr size_t kMostChanges = 64;
 
-/// What is kept of a request before it is executed; nothing for one that only looks.
-std::optional<PostedRequest> Kept(const SessionRequest& request) {
-  if (const auto* stroke = std::get_if<Stroke>(&request)) return PostedRequest{"", *stroke};
-  const auto* command = std::get_if<Command>(&request);
-  if (command == nullptr || std::holds_alternative<SetView>(*command)) return std::nullopt;
-  return PostedRequest{TextOf(*command), {}};
+/// What is kept of a stroke or a command before it is executed.
+PostedRequest Kept(const SessionRequest& request) {
+  if (const auto* stroke = std::get_if<Stroke>(&request)) return {"", *stroke};
+  return {TextOf(std::get<Command>(request))};
 }
 
 }  // namespace
@@ -36,12 +36,14 @@ DocumentThread::~DocumentThread() {
 void DocumentThread::Posted(int64_t number, std::shared_ptr<const SessionRequest> request) {
   const std::lock_guard lock(mutex_);
   waiting_.push_back({number, std::move(request)});
+  last_posted_ = number;
   given_.notify_one();
 }
 
 void DocumentThread::Executed(DocumentChange change) {
   const std::lock_guard lock(mutex_);
   while (!waiting_.empty() && waiting_.front().number <= change.number) waiting_.pop_front();
+  last_executed_ = std::max(last_executed_, change.number);
   changes_.push_back(std::move(change));
   given_.notify_one();
 }
@@ -64,7 +66,9 @@ std::vector<KeptRequest> DocumentThread::TakeRequests() {
   while (!waiting_.empty()) {
     const auto& [number, request] = waiting_.front();
     if (std::holds_alternative<DocumentRequest>(*request)) break;
-    if (auto kept = Kept(*request)) requests.push_back({number, std::move(*kept)});
+    // A view that another follows at once was never seen (docs/document.md).
+    const bool moot = waiting_.size() > 1 && IsMoot(*request, *waiting_[1].request);
+    if (!moot) requests.push_back({number, Kept(*request)});
     waiting_.pop_front();
   }
   return requests;
@@ -72,7 +76,14 @@ std::vector<KeptRequest> DocumentThread::TakeRequests() {
 
 DocumentThread::Batch DocumentThread::Next() {
   std::unique_lock lock(mutex_);
-  given_.wait_for(lock, kTryAgain, [this] { return HasWork(); });
+  const auto has_work = [this] { return HasWork(); };
+  if (last_executed_ < last_posted_) {
+    given_.wait_for(lock, kStillThere, has_work);
+  } else if (keeper_.status().trouble) {
+    given_.wait_for(lock, kTryAgain, has_work);
+  } else {
+    given_.wait(lock, has_work);
+  }
   Batch batch;
   const auto end =
       changes_.begin() + static_cast<std::ptrdiff_t>(std::min(changes_.size(), kMostChanges));

@@ -19,7 +19,8 @@ namespace parti::app {
 /// Changes that wait while one commit runs become one transaction.
 class DocumentThread {
  public:
-  /// Called on the document's thread after each write, with what is on the disk now.
+  /// Called on the document's thread after each write, with what is on the disk now; and from time
+  /// to time while posted requests are not executed.
   using News = std::function<void(const DocumentStatus&, int64_t acknowledged)>;
 
   DocumentThread(UserFolders folders, News news);
@@ -71,6 +72,7 @@ class DocumentThread {
   std::deque<DocumentChange> changes_;
   std::deque<Call> calls_;  // each after all changes
   std::deque<Waiting> waiting_;
+  int64_t last_posted_ = 0, last_executed_ = 0;
   bool stop_ = false;
 
   std::thread thread_;

@@ -34,6 +34,10 @@ struct DocumentRequest {
 /// A finished stroke in pixels of the view, a command, or something about documents.
 using SessionRequest = std::variant<Stroke, Command, DocumentRequest>;
 
+/// Whether a request need not be executed because of the one right after it: a view that another
+/// view follows at once was never seen, so nothing is lost.
+bool IsMoot(const SessionRequest& request, const SessionRequest& next);
+
 /// How the open document is doing; what a title line and a warning show.
 struct DocumentStatus {
   std::string path = {};   ///< of its file; "" before the first stroke or command of a new one
@@ -68,7 +72,7 @@ struct SessionSnapshot {
   uint64_t acknowledged = 0;
   std::optional<FailedRequest> last_error = {};  ///< of the newest request that failed
   bool can_undo = false, can_redo = false;
-  bool busy = false;       ///< a request is being executed or waits
+  bool busy = false;       ///< a request takes longer than a moment
   std::string doing = {};  ///< what takes its time: "writing house.glb"; "" for nothing to tell
 };
 

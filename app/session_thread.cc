@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <deque>
@@ -19,14 +20,10 @@
 namespace parti::app {
 namespace {
 
-/// A view that another view follows at once was never seen: looking there is no loss to skip.
-bool IsMoot(const SessionRequest& request, const SessionRequest& next) {
-  const auto is_view = [](const SessionRequest& r) {
-    const auto* command = std::get_if<Command>(&r);
-    return command != nullptr && std::holds_alternative<SetView>(*command);
-  };
-  return is_view(request) && is_view(next);
-}
+using Clock = std::chrono::steady_clock;
+
+// What a person would begin to wonder about.
+constexpr auto kLong = std::chrono::milliseconds(200);
 
 /// Documents hold finite numbers only, and times that don't run backwards.
 void Clean(Stroke* stroke) {
@@ -120,6 +117,7 @@ class SessionThread::Impl {
     document_->Executed({});
     PublishState();
     while (auto request = Next()) {
+      SetBegun();
       auto done = request->moot ? Result<void>() : Do(*request);
       if (!done) Note(request->number, done.error());
       document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
@@ -231,6 +229,11 @@ class SessionThread::Impl {
     snapshot_.last_error = {number, error};
   }
 
+  void SetBegun() {
+    const std::lock_guard lock(publish_mutex_);
+    begun_ = Clock::now();
+  }
+
   void SetDoing(const std::string& doing) {
     const std::lock_guard lock(publish_mutex_);
     snapshot_.doing = doing;
@@ -245,6 +248,8 @@ class SessionThread::Impl {
     snapshot_.can_undo = span.now > span.first;
     snapshot_.can_redo = span.now < span.last;
     snapshot_.executed = std::max(snapshot_.executed, executed);
+    snapshot_.busy = false;
+    begun_.reset();
     Publish();
   }
 
@@ -252,7 +257,12 @@ class SessionThread::Impl {
   void TakeNews(const DocumentStatus& status, int64_t acknowledged) {
     const std::lock_guard lock(publish_mutex_);
     const auto number = static_cast<uint64_t>(std::max<int64_t>(acknowledged, 0));
-    if (snapshot_.document == status && snapshot_.acknowledged == number) return;
+    const bool busy = begun_ && Clock::now() - *begun_ >= kLong;
+    if (snapshot_.document == status && snapshot_.acknowledged == number &&
+        snapshot_.busy == busy) {
+      return;
+    }
+    snapshot_.busy = busy;
     snapshot_.document = status;
     snapshot_.acknowledged = number;
     if (snapshot_.state) Publish();
@@ -282,6 +292,7 @@ class SessionThread::Impl {
 
   std::mutex publish_mutex_;  // between the session's thread and the document's; guards:
   SessionSnapshot snapshot_;
+  std::optional<Clock::time_point> begun_;  // the request that is being executed
 
   Session session_;  // the session thread's own
   std::optional<DocumentThread> document_;

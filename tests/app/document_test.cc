@@ -125,6 +125,29 @@ TEST_F(DocumentTest, ALogLeftByAKillDoesNotGetIntoTheDocumentThatTakesItsPlace) 
   EXPECT_EQ(OpenDocument(path_)->history, DocumentOf(Tower()).history);
 }
 
+TEST_F(DocumentTest, AJournalLeftByAKillDoesNotGetIntoTheDocumentThatTakesItsPlace) {
+  {
+    auto killed = Database::Open(path_, Database::Mode::kWrite);
+    ASSERT_TRUE(killed);
+    // A cache of one page: the change is written before it is committed, and the journal is hot.
+    ASSERT_TRUE(
+        killed->Execute("PRAGMA cache_size=1; BEGIN; UPDATE text SET body = body || 'x';"
+                        "INSERT INTO history(command) VALUES(zeroblob(100000))"));
+    std::filesystem::copy_file(path_ + "-journal", path_ + ".journal");
+    std::filesystem::copy_file(path_, path_ + ".db");
+    ASSERT_TRUE(killed->Execute("ROLLBACK"));
+  }
+  std::filesystem::rename(path_ + ".db", path_);
+  std::filesystem::rename(path_ + ".journal", path_ + "-journal");
+  const auto saved = DocumentOf(Tower());
+  const auto rolled_back = OpenDocument(path_);
+  ASSERT_TRUE(rolled_back) << FormatError(rolled_back.error());
+  EXPECT_EQ(rolled_back->history, saved.history);
+  ASSERT_TRUE(SaveDocument(DocumentOf(Session()), path_));
+  EXPECT_FALSE(std::filesystem::exists(path_ + "-journal"));
+  EXPECT_EQ(OpenDocument(path_)->history.size(), 0u);
+}
+
 TEST_F(DocumentTest, OneThatWasClosedProperlyCanBeReadWhereNothingCanBeWritten) {
   const auto alone = Database::Open(path_, Database::Mode::kReadAlone);
   ASSERT_TRUE(alone);

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "app/document.h"
 #include "app/document_drafts.h"
@@ -194,6 +196,31 @@ TEST_F(SessionThreadTest, ViewsThatOthersFollowAtOnceAreSkipped) {
   const auto now = Settled(&thread, thread.Post(Line("take none")));
   EXPECT_EQ(now->state->camera.eye.x, 499);
   EXPECT_THAT(OpenDocument(now->document.path)->history.size(), ::testing::Lt(450u));
+}
+
+TEST_F(SessionThreadTest, WhileALongDerivationRunsItIsSaidAndWhatWaitsIsAlreadyOnTheDisk) {
+  using Clock = std::chrono::steady_clock;
+  options_.path = folder_ + "/house.parti";
+  ASSERT_TRUE(SaveDocument(DocumentOf(Session()), options_.path));
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(450,450)"));
+  thread.Post(Line("node .Lot --> split(x) { ~1: Row }*"));
+  const uint64_t rows = thread.Post(Line("take none"));
+  const uint64_t heavy = thread.Post(Line("node .Row --> split(y) { ~1: Tile }*"));
+  const uint64_t last = thread.Post(StrokeFrom("1,2 3,4"));
+  while (thread.Newest()->executed < rows) std::this_thread::yield();
+  const auto began = Clock::now();
+  bool busy = false;
+  size_t most_kept = 0;
+  while (thread.Newest()->executed < heavy) {
+    busy = busy || thread.Newest()->busy;
+    most_kept = std::max(most_kept, OpenDocument(options_.path)->posted.size());
+  }
+  EXPECT_GE(most_kept, 1u);
+  if (Clock::now() - began > std::chrono::seconds(2)) {
+    EXPECT_TRUE(busy);
+  }
+  EXPECT_FALSE(Settled(&thread, last)->busy);
 }
 
 TEST_F(SessionThreadTest, ASessionIsRecordedForAReport) {
