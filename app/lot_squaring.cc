@@ -320,11 +320,11 @@ Ring MixedRing(const std::vector<OutlinePiece>& pieces, const std::vector<Segmen
   std::vector<std::optional<Side>> sides;
   for (const OutlinePiece& piece : pieces) {
     if (!piece.straight) {
-      sides.push_back(std::nullopt);
+      sides.emplace_back();
       continue;
     }
     const Segment2 line = LineOf(piece);
-    sides.push_back(SideOf({frame.To(line.a), frame.To(line.b)}, square));
+    sides.emplace_back(SideOf({frame.To(line.a), frame.To(line.b)}, square));
   }
   Ring ring;
   for (size_t i = 0; i < pieces.size(); ++i) {
