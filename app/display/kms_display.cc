@@ -13,6 +13,7 @@
 #include "app/display/seat.h"
 #include "app/display/wake_watch.h"
 #include "base/check.h"
+#include "input/eager_reader.h"
 #include "input/libinput_source.h"
 #include "render/kms_screen.h"
 
@@ -70,7 +71,8 @@ class KmsDisplay final : public Display {
   KmsSpec spec_;
   std::unique_ptr<Seat> seat_;
   std::shared_ptr<const std::string> denied_;  // the first input device that may not be read
-  input::LibinputSource source_;
+  input::LibinputSource source_;               // once there is a reader, only while it rests
+  std::optional<input::EagerReader> reader_;
   std::unique_ptr<Card> card_;
   std::unique_ptr<render::KmsScreen> screen_;
   render::Gl gl_;
@@ -99,6 +101,7 @@ Result<void> KmsDisplay::Start() {
     if (const auto* device = std::get_if<DeviceEvent>(&event)) TakeDevice(*device);
   }
   first_news_ = std::move(*first);
+  reader_.emplace(source_.fd(), [this] { return source_.Dispatch(); });
   if (const auto made = context().MakeCurrent(); !made) return made;
   const auto gl = render::LoadGl(context().Lookup(), context().is_gles());
   if (!gl) return Fail(gl);
@@ -148,7 +151,7 @@ Result<void> KmsDisplay::ChooseScreen(bool anew, DisplayNews* news) {
     if (const auto used = screen_->Use(output, *mode); !used) return used;
     size_px_ = screen_->size_px();
     scale_ = render::ScaleOf(size_px_, output.size_mm);
-    source_.SetView(size_px_, scale_);
+    reader_->Alone([&] { source_.SetView(size_px_, scale_); });
     news->resized = true;
   }
   if (anew) screen_->SetModeAgain();
@@ -177,7 +180,7 @@ Result<void> KmsDisplay::Present(std::span<const render::PixelRect> damage) {
 }
 
 std::vector<int> KmsDisplay::fds() const {
-  std::vector<int> all = {seat_->fd(), source_.fd(), card_->fd(), wake_.fd(), retry_.fd()};
+  std::vector<int> all = {seat_->fd(), reader_->fd(), card_->fd(), wake_.fd(), retry_.fd()};
   if (cards_.fd() >= 0) all.push_back(cards_.fd());
   return all;
 }
@@ -187,13 +190,14 @@ Result<void> KmsDisplay::TakeSeatNews(DisplayNews* news) {
   if (!seat) return Fail(seat);
   if (seat->pause_asked) {
     screen_->Settle();
-    source_.Suspend();
+    reader_->Alone([&] { source_.Suspend(); });
     seat_->ConfirmPause();
     console_keys_.Forget();
     news->focus_lost = true;
   }
   if (seat->resumed) {
-    if (const auto resumed = source_.Resume(); !resumed) return resumed;
+    const auto resumed = reader_->Alone([&] { return source_.Resume(); });
+    if (!resumed) return resumed;
     retries_ = 0;
     return ChooseScreen(true, news);
   }
@@ -220,7 +224,7 @@ bool KmsDisplay::Swallows(const InputEvent& event, DisplayNews* news) {
 }
 
 Result<void> KmsDisplay::TakeInput(DisplayNews* news) {
-  auto events = source_.Dispatch();
+  auto events = reader_->Take();
   if (!events) return Fail(events);
   for (InputEvent& event : *events) {
     if (!Swallows(event, news)) news->input.push_back(std::move(event));

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <mutex>
 
 #include "app/display/seat.h"
 
@@ -33,8 +35,14 @@ class LibseatSeat final : public Seat {
   bool active() const override { return active_; }
   int fd() const override { return libseat_get_fd(seat_); }
   Result<SeatNews> Dispatch() override;
-  void ConfirmPause() override { libseat_disable_seat(seat_); }
-  void SwitchTo(int vt) override { libseat_switch_session(seat_, vt); }
+  void ConfirmPause() override {
+    const std::lock_guard lock(mutex_);
+    libseat_disable_seat(seat_);
+  }
+  void SwitchTo(int vt) override {
+    const std::lock_guard lock(mutex_);
+    libseat_switch_session(seat_, vt);
+  }
   std::string name() const override { return libseat_seat_name(seat_); }
   std::string Description() const override { return "libseat"; }
 
@@ -49,8 +57,9 @@ class LibseatSeat final : public Seat {
     seat->news_ = {true, false};
   }
 
+  std::mutex mutex_;  // libseat knows no threads
   libseat* seat_ = nullptr;
-  bool active_ = false;
+  std::atomic<bool> active_ = false;
   SeatNews news_;
   std::map<int, int> devices_;  // by descriptor: libseat's number
 };
@@ -81,6 +90,7 @@ Result<void> LibseatSeat::Start() {
 }
 
 int LibseatSeat::Open(const std::string& path) {
+  const std::lock_guard lock(mutex_);
   int fd = -1;
   const int device = libseat_open_device(seat_, path.c_str(), &fd);
   if (device < 0) return errno > 0 ? -errno : -EIO;
@@ -89,6 +99,7 @@ int LibseatSeat::Open(const std::string& path) {
 }
 
 void LibseatSeat::Close(int fd) {
+  const std::lock_guard lock(mutex_);
   const auto found = devices_.find(fd);
   if (found == devices_.end()) return;
   libseat_close_device(seat_, found->second);
@@ -96,6 +107,7 @@ void LibseatSeat::Close(int fd) {
 }
 
 Result<SeatNews> LibseatSeat::Dispatch() {
+  const std::lock_guard lock(mutex_);
   if (libseat_dispatch(seat_, 0) < 0 && errno != EAGAIN && errno != EINTR) {
     return Fail(ErrorCode::kDevice, fmt::format("the seat is gone ({})", std::strerror(errno)),
                 "what was drawn is kept; log in again");

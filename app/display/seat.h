@@ -19,8 +19,9 @@ struct SeatNews {
   bool resumed = false;
 };
 
-/// Used by one thread. The console shows text again, and takes keys, once the seat is destroyed or
-/// the process ends in whatever way, kill -9 included.
+/// Used by one thread, but for Open and Close, which any may call. The console shows text again,
+/// and takes keys, once the seat is destroyed or the process ends in whatever way, kill -9
+/// included.
 class Seat {
  public:
   virtual ~Seat() = default;
