@@ -21,7 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using tests::EvdevEvent;
-using tests::MockPlace;
 using tests::MockSeat;
 using tests::Raw;
 using tests::SeatLook;
