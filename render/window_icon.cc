@@ -52,11 +52,13 @@ std::pair<dvec3, double> ColorAt(const dvec2& p) {
 Image WindowIcon(int side) {
   Image image{side, side, std::vector<uint8_t>(size_t{4} * side * side)};
   for (int i = 0; i < side * side; ++i) {
+    const int x = i % side, y = i / side;
     dvec3 sum{0};
     double cover = 0;
     for (int tap = 0; tap < kTaps * kTaps; ++tap) {
-      const dvec2 within((tap % kTaps + 0.5) / kTaps, (tap / kTaps + 0.5) / kTaps);
-      const auto [color, covers] = ColorAt((dvec2(i % side, i / side) + within) / double(side));
+      const int row = tap / kTaps;
+      const dvec2 within((tap % kTaps + 0.5) / kTaps, (row + 0.5) / kTaps);
+      const auto [color, covers] = ColorAt((dvec2(x, y) + within) / double(side));
       sum += color * covers;
       cover += covers;
     }

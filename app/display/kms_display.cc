@@ -237,8 +237,9 @@ Result<DisplayNews> KmsDisplay::Dispatch() {
   std::swap(news.input, first_news_);
   const bool was_visible = Visible();
   if (seat_->active()) screen_->HandleEvents();
-  if (const auto input = TakeInput(&news); !input) return Fail(input);
   if (const auto seat = TakeSeatNews(&news); !seat) return Fail(seat);
+  // After the seat's: devices that go and come with it are told at once.
+  if (const auto input = TakeInput(&news); !input) return Fail(input);
   if (retry_.Look()) {
     screen_->SetModeAgain();
     news.exposed = true;

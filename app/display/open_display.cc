@@ -28,9 +28,10 @@ Result<std::unique_ptr<Display>> OpenOffscreen(const OffscreenSpec& spec) {
 Result<std::unique_ptr<Display>> OpenBest(const DisplaySpec& spec) {
   auto window = OpenX11Display(spec.x11);
   if (window) return window;
-  // A desktop is there: taking its screen away is not what anybody wants.
-  if (IsSet("DISPLAY")) return window;
+  const bool named = IsSet("DISPLAY");
   if (IsSet("WAYLAND_DISPLAY")) {
+    // Its screen is in use; and whoever sits there wants a window.
+    if (named) return window;
     return Fail(ErrorCode::kGraphics, "this Wayland desktop has no X server (Xwayland)",
                 "install the package xwayland and log in again, or use `--display kms` on a free "
                 "console (Ctrl+Alt+F3)");
@@ -38,8 +39,8 @@ Result<std::unique_ptr<Display>> OpenBest(const DisplaySpec& spec) {
   auto screen = OpenKmsDisplay(spec.kms);
   if (screen) return screen;
   return Fail(screen.error().code,
-              "no desktop (DISPLAY is not set), and no screen: " + screen.error().message,
-              screen.error().hint);
+              window.error().message + "; nor is there a screen: " + screen.error().message,
+              named ? window.error().hint : screen.error().hint);
 }
 
 }  // namespace

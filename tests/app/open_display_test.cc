@@ -71,11 +71,21 @@ TEST(OpenDisplays, TheBestOneIsAWindowWhereThereIsAnXServer) {
   EXPECT_NE((*opened)->Description().find(server->name()), std::string::npos);
 }
 
-TEST(OpenDisplays, ADesktopThatRefusesIsNotRobbedOfItsScreen) {
-  const Variable display("DISPLAY", ":987");
+TEST(OpenDisplays, AServerThatRefusesIsNamedWithTheScreenThatIsNotThere) {
+  if (HasCards()) GTEST_SKIP() << "this machine has a screen; it is left alone";
+  const Variable display("DISPLAY", ":987"), wayland("WAYLAND_DISPLAY", nullptr);
   const auto opened = OpenDisplay(DisplayKind::kBest);
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find(":987"), std::string::npos);
+  EXPECT_NE(opened.error().message.find("/dev/dri"), std::string::npos);
+  EXPECT_NE(opened.error().hint.find("XAUTHORITY"), std::string::npos);
+}
+
+TEST(OpenDisplays, AWaylandDesktopIsNotRobbedOfItsScreen) {
+  const Variable display("DISPLAY", ":987"), wayland("WAYLAND_DISPLAY", "wayland-0");
+  const auto opened = OpenDisplay(DisplayKind::kBest);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message.find("screen"), std::string::npos);
   EXPECT_NE(opened.error().hint.find("XAUTHORITY"), std::string::npos);
 }
 
