@@ -11,13 +11,14 @@
 
 namespace parti::app {
 
-/// A value. Both functions return whether its marks look different now.
+/// A value. At and End return whether its marks look different now.
 class Hovering {
  public:
   /// scale: of the display.
   bool At(const Vec2& px, const ModelPicture& picture, const Camera& camera, double scale);
   bool End();
 
+  /// Adds what is to be seen of it in a view.
   void AddMarks(const ModelPicture& picture, const View& view,
                 std::vector<render::Mark>* marks) const;
 

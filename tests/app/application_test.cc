@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "app/display/offscreen_display.h"
 #include "app/play.h"
 #include "app/replay.h"
@@ -120,6 +122,28 @@ TEST_F(ApplicationTest, TheDemoGivesTheSameRulesAsItsReplay) {
   ReplayReport report;
   ASSERT_TRUE(Replay(drawing, &session, &report));
   EXPECT_EQ(grammar::TextOf(state().model.trees()), grammar::TextOf(session.state().model.trees()));
+}
+
+/// The demo up to its pick `number`, from 1, which is left out.
+input::Drawing DemoUntilPick(int number) {
+  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  EXPECT_TRUE(text);
+  std::string cut;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line); cut += line + "\n") {
+    if (line.find(": pick ") != std::string::npos && --number == 0) break;
+  }
+  return input::ReadDrawing(cut + "end\n").drawing;
+}
+
+TEST_F(ApplicationTest, HalfWayThroughTheDemoInkSuggestionsAndRulesAreSeen) {
+  const auto played = Play(DemoUntilPick(7), application_.get());
+  ASSERT_TRUE(played) << FormatError(played.error());
+  Settle();
+  EXPECT_EQ(state().sketch.strokes.size(), 4u);
+  const auto screenshot = application_->Screenshot();
+  ASSERT_TRUE(screenshot);
+  tests::ExpectGolden(*screenshot, "application_sketch");
 }
 
 TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
