@@ -359,6 +359,7 @@ void Application::Do(ViewRequest view) {
 }
 
 bool Application::OverPanel(const Vec2& px) {
+  if (playing_) return false;
   RunPanels({PanelPointer{px, false}});
   return panel_output_->takes_pointer;
 }

@@ -49,6 +49,8 @@ class Application {
 
   /// As if a device of the display had sent it, now; handled by the next Turn.
   void Feed(const InputEvent& event) { fed_.push_back(event); }
+  /// Whether what is fed is a recording: its strokes go to the drawing, wherever panels lie now.
+  void SetPlaying(bool playing) { playing_ = playing; }
   /// As if a panel had sent it.
   void Do(const PanelCommand& command);
 
@@ -137,6 +139,7 @@ class Application {
   Camera told_;  // the view that the session knows of
   std::optional<double> sync_at_s_;
   uint64_t posted_ = 0;
+  bool playing_ = false;
   bool close_asked_ = false;
 };
 

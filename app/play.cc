@@ -21,21 +21,7 @@ Result<void> DoCommand(const input::DrawingCommand& line, Application* applicati
   return Settle(application);
 }
 
-}  // namespace
-
-Result<void> Settle(Application* application, double most_s) {
-  const auto end = Clock::now() + std::chrono::duration<double>(most_s);
-  constexpr double kNap_s = 0.01;
-  do {
-    if (Clock::now() > end) {
-      return Fail(ErrorCode::kLimitReached, "the application did not come to rest");
-    }
-    if (auto turned = application->Turn(kNap_s); !turned) return turned;
-  } while (!application->Settled());
-  return {};
-}
-
-Result<void> Play(const input::Drawing& drawing, Application* application) {
+Result<void> PlayAll(const input::Drawing& drawing, Application* application) {
   input::PenContacts contacts;
   int strokes = 0;  // completed: what commands are keyed to
   auto next = drawing.commands.begin();
@@ -63,6 +49,27 @@ Result<void> Play(const input::Drawing& drawing, Application* application) {
   }
   if (auto settled = Settle(application); !settled) return settled;
   return run_commands();
+}
+
+}  // namespace
+
+Result<void> Settle(Application* application, double most_s) {
+  const auto end = Clock::now() + std::chrono::duration<double>(most_s);
+  constexpr double kNap_s = 0.01;
+  do {
+    if (Clock::now() > end) {
+      return Fail(ErrorCode::kLimitReached, "the application did not come to rest");
+    }
+    if (auto turned = application->Turn(kNap_s); !turned) return turned;
+  } while (!application->Settled());
+  return {};
+}
+
+Result<void> Play(const input::Drawing& drawing, Application* application) {
+  application->SetPlaying(true);
+  auto played = PlayAll(drawing, application);
+  application->SetPlaying(false);
+  return played;
 }
 
 }  // namespace parti::app
