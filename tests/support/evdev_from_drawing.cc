@@ -101,7 +101,7 @@ class Driver {
   /// The pen comes and goes before its first report. Until libinput has seen a pen go it takes one
   /// that is silent for 50 ms for gone; real pens tremble, drawn ones may hold still.
   void Visit(PenEvent first) {
-    constexpr double kBefore_s = 0.03, kLasts_s = 0.01;
+    constexpr double kBefore_s = 0.03, kLasts_s = 0.0002;
     first.kind = PenEvent::Kind::kProximityIn;
     first.t_s -= kBefore_s;
     Take(first);

@@ -83,7 +83,7 @@ class Driver {
 
   EvdevRecording* screen_;
   std::map<std::pair<int, int>, int> slots_;  // by device and finger
-  int selected_ = 0;
+  int selected_ = -1;                         // whatever an earlier drawing left
   int next_contact_ = 1;
   int64_t t_us_ = 0;
 };

@@ -6,11 +6,12 @@
 #include <poll.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <map>
 #include <memory>
 
-#include "app/display/x11_display.h"
+#include "app/display/open_display.h"
 #include "app/tablet_mapping.h"
 #include "input/drawing_recorder.h"
 
@@ -18,6 +19,7 @@ namespace parti::tests {
 namespace {
 
 using app::Display;
+using Clock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t stop_asked = 0;
 
@@ -46,6 +48,22 @@ class Probe {
   }
 
   Result<void> Draw() {
+    const auto start = Clock::now();
+    const auto done = DrawFrame();
+    slowest_ = std::max(slowest_, Clock::now() - start);
+    ++frames_;
+    return done;
+  }
+
+  /// "12 frames, the slowest in 34 ms".
+  std::string Pace() const {
+    using std::chrono::milliseconds;
+    return fmt::format("{} frames, the slowest in {} ms", frames_,
+                       std::chrono::duration_cast<milliseconds>(slowest_).count());
+  }
+
+ private:
+  Result<void> DrawFrame() {
     const auto target = display_->BeginFrame();
     if (!target) return Fail(target);
     const render::Gl& gl = display_->gl();
@@ -65,7 +83,6 @@ class Probe {
     return display_->Present(all);
   }
 
- private:
   void Take(const PenEvent& pen) {
     if (pen.kind == PenEvent::Kind::kDown) down_[pen.device] = true;
     if (pen.kind == PenEvent::Kind::kUp || pen.kind == PenEvent::Kind::kProximityOut) {
@@ -98,6 +115,8 @@ class Probe {
   std::map<int, DeviceFacts> facts_;
   std::map<int, bool> down_;
   std::vector<Mark> marks_;
+  Clock::duration slowest_{0};
+  int frames_ = 0;
 };
 
 void Wait(const Display& display) {
@@ -123,13 +142,15 @@ Result<void> Run(Display* display, input::DrawingRecorder* recorder) {
     }
     Wait(*display);
   }
+  fmt::print(stderr, "{}\n", probe.Pace());
   return recorder->Finish();
 }
 
 Result<void> Main(const std::string& kind, const std::string& drawing) {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_asked = 1; });
-  if (kind != "x11") return Fail(ErrorCode::kBadArguments, "no such display: " + kind);
-  auto display = app::OpenX11Display();
+  const auto which = app::DisplayKindOf(kind);
+  if (!which) return Fail(which);
+  auto display = app::OpenDisplay(*which);
   if (!display) return Fail(display);
   auto recorder = input::DrawingRecorder::Create(drawing);
   if (!recorder) return Fail(recorder);

@@ -15,17 +15,20 @@ GOLDEN = HERE.parent / "golden"
 GUEST_SHARE = "/usr/share/parti-machine"
 DEVICES = ("cintiq_13hd", "touch_screen")
 PROGRAMS = ("parti", "parti_uinput_devices", "parti_display_probe")
-# In the guest as /usr/bin/draw, to have less to type: draw DISPLAY DOCUMENT
 COMMANDS = "/run/commands"
 COMPLAINTS = "/run/parti.log"
+# To have less to type in the guest: draw DISPLAY DOCUMENT and probe DISPLAY.
 DRAW = f"""#!/bin/sh
 test -p {COMMANDS} || mkfifo {COMMANDS}
 exec parti "/data/$2.parti" --display "$1" --commands {COMMANDS} \\
-  --log-acknowledged /dev/virtio-ports/said 2>{COMPLAINTS}
+  --acknowledged /dev/virtio-ports/said 2>{COMPLAINTS}
+"""
+PROBE = f"""#!/bin/sh
+exec parti_display_probe "$1" /run/probe.pen 2>{COMPLAINTS}
 """
 DISK_MB = 64
-SETTLE_S = 30  # a picture has to stand still within this time
-STILL_S = 1.5  # and counts as still after this one
+SETTLE_S = 90  # a picture has to stand still within this time
+STILL_S = 6  # and counts as still after this one
 
 
 class Failure(Exception):
@@ -47,7 +50,7 @@ class Laboratory:
         self._initramfs = folder / "initramfs"
         files = {f"{GUEST_SHARE}/{name}.txt": (HERE / "devices" / f"{name}.txt").read_text()
                  for name in DEVICES}
-        files["/usr/bin/draw"] = DRAW
+        files |= {"/usr/bin/draw": DRAW, "/usr/bin/probe": PROBE}
         programs = {f"/usr/bin/{name}": build / name for name in PROGRAMS}
         guest_image.build(self._kernel, programs, files, self._initramfs)
         self._disk = folder / "disk.img"

@@ -64,7 +64,9 @@ class Machine:
 
     def _command(self, kernel, initramfs, disk):
         width, height = SCREEN
-        return ["qemu-system-x86_64", "-accel", "tcg,thread=multi", "-cpu", "max", "-smp", "2",
+        # Should this program be killed, QEMU goes with it.
+        return ["setpriv", "--pdeathsig", "KILL",
+                "qemu-system-x86_64", "-accel", "tcg,thread=single", "-icount", "shift=0", "-cpu", "max", "-smp", "1",
                 "-m", "2048", "-nodefaults", "-no-reboot", "-display", "none",
                 "-device", f"virtio-gpu-pci,xres={width},yres={height}",
                 "-drive", f"file={disk},format=raw,if=virtio",

@@ -14,15 +14,17 @@ import traceback
 import kernel
 import stage_desktop
 import stage_devices
+import stage_screen
 from laboratory import Failure, Laboratory, Tablets
 from machine import MachineError
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = {
     "devices": stage_devices,
+    "screen": stage_screen,
     "desktop": stage_desktop,
 }
-PROGRAMS = ("qemu-system-x86_64", "mke2fs", "dpkg-deb", "apt-get", "busybox", "ldd")
+PROGRAMS = ("qemu-system-x86_64", "setpriv", "mke2fs", "dpkg-deb", "apt-get", "busybox", "ldd")
 LIMIT_S = 15 * 60
 SKIPPED = 77
 
