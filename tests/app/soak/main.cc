@@ -1,5 +1,6 @@
-// parti_soak [HOURS [SEED]]: plays hours of use as fast as it goes, and fails where memory or the
-// document grows past what undo may keep. Meant to be run under the sanitizers.
+// parti_soak [HOURS [SEED [application]]]: plays hours of use as fast as it goes into the session,
+// or into the whole application, and fails where memory or the document grows past what undo may
+// keep. Meant to be run under the sanitizers.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -9,6 +10,7 @@
 
 #include "app/document.h"
 #include "base/check.h"
+#include "tests/app/soak/application_target.h"
 #include "tests/app/soak/session_target.h"
 #include "tests/app/soak/soak_mix.h"
 
@@ -69,22 +71,27 @@ class Watch {
   size_t first_ = 0;
 };
 
-bool Soak(double hours, uint64_t seed, const std::string& folder) {
+std::unique_ptr<SoakTarget> TargetFor(const app::SessionThreadOptions& options, bool application) {
+  if (application) return std::make_unique<ApplicationTarget>(options);
+  return std::make_unique<SessionTarget>(options);
+}
+
+bool Soak(double hours, uint64_t seed, bool application, const std::string& folder) {
   app::SessionThreadOptions options;
   options.folders = {folder + "/data", folder + "/state"};
   options.session.undo.steps = kUndoSteps;
-  SessionTarget target(options);
+  const auto target = TargetFor(options, application);
   SoakMix mix(seed, folder);
   Watch watch;
   double next_check_s = kCheckEvery_s / 4;  // the first one soon: it is what the others grow from
   bool good = true;
   while (mix.clock_s() < hours * 3600) {
-    mix.Moment(&target);
+    mix.Moment(target.get());
     if (mix.clock_s() < next_check_s) continue;
-    good = watch.Check(&target, mix.clock_s()) && good;
+    good = watch.Check(target.get(), mix.clock_s()) && good;
     next_check_s += kCheckEvery_s;
   }
-  good = watch.Check(&target, mix.clock_s()) && good;
+  good = watch.Check(target.get(), mix.clock_s()) && good;
   fmt::print("{} moments, {:.1f} h of use: {}\n", mix.moments(), mix.clock_s() / 3600,
              good ? "sound" : "GROWN");
   return good;
@@ -96,10 +103,11 @@ bool Soak(double hours, uint64_t seed, const std::string& folder) {
 int main(int argc, char** argv) {
   const double hours = argc > 1 ? std::atof(argv[1]) : 4;
   const uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  const bool application = argc > 3 && std::string(argv[3]) == "application";
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("parti_soak.{}", std::random_device()());
   std::filesystem::create_directories(folder);
-  const bool good = parti::tests::Soak(hours, seed, folder.string());
+  const bool good = parti::tests::Soak(hours, seed, application, folder.string());
   std::filesystem::remove_all(folder);
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
