@@ -1,7 +1,9 @@
 #include "render/egl_window.h"
 
 #include <EGL/eglext.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +25,22 @@ bool Has(std::string_view extensions, std::string_view name) {
     if (end == extensions.size() || extensions[end] == ' ') return true;
   }
   return false;
+}
+
+/// Keeps the drivers that EGL has loaded: LLVM's code inside them does not survive being unloaded
+/// and loaded again, which the end of one display and the start of another would do.
+void KeepDrivers() {
+  std::vector<std::string> drivers;
+  const auto note = [](dl_phdr_info* library, size_t, void* names) {
+    const std::string_view name = library->dlpi_name;
+    if (name.ends_with("_dri.so"))
+      static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+  };
+  dl_iterate_phdr(note, &drivers);
+  for (const std::string& driver : drivers) {
+    dlopen(driver.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+  }
 }
 
 /// What the window and the contexts that share with it have in common.
@@ -80,6 +98,7 @@ Result<std::shared_ptr<Connection>> Connect(const EglPlatform& platform) {
     return EglFailure("can't draw on " + platform.what);
   }
   connection->initialised = true;
+  KeepDrivers();
   const std::string_view extensions = eglQueryString(connection->display, EGL_EXTENSIONS);
   if (!Has(extensions, "EGL_KHR_surfaceless_context")) {
     return EglFailure("lacks EGL_KHR_surfaceless_context");
