@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <mutex>
 #include <set>
 
 #include "app/display/console.h"
@@ -48,7 +49,8 @@ class DirectSeat final : public Seat {
 
  private:
   std::unique_ptr<Console> console_;
-  int silent_;  // never readable, for machines without consoles
+  int silent_;        // never readable, for machines without consoles
+  std::mutex mutex_;  // of screens_
   std::set<int> screens_;
   bool active_ = true;
 };
@@ -66,11 +68,13 @@ int DirectSeat::Open(const std::string& path) {
     ::close(fd);
     return -EBUSY;
   }
+  const std::lock_guard lock(mutex_);
   screens_.insert(fd);
   return fd;
 }
 
 void DirectSeat::Close(int fd) {
+  const std::lock_guard lock(mutex_);
   if (screens_.erase(fd) > 0) ::drmDropMaster(fd);
   ::close(fd);
 }
@@ -82,6 +86,7 @@ Result<SeatNews> DirectSeat::Dispatch() {
     active_ = false;
     news.pause_asked = true;
   } else if (wish == Console::Wish::kReturn && !active_) {
+    const std::lock_guard lock(mutex_);
     for (const int fd : screens_) {
       if (::drmSetMaster(fd) != 0) {
         return Fail(ErrorCode::kDevice, "another program has taken the screen",
@@ -95,7 +100,10 @@ Result<SeatNews> DirectSeat::Dispatch() {
 }
 
 void DirectSeat::ConfirmPause() {
-  for (const int fd : screens_) ::drmDropMaster(fd);
+  {
+    const std::lock_guard lock(mutex_);
+    for (const int fd : screens_) ::drmDropMaster(fd);
+  }
   if (console_) console_->Leave();
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "app/display/seat.h"
 
@@ -49,7 +50,8 @@ class LibseatSeat final : public Seat {
  private:
   static void Enable(libseat*, void* self) {
     auto* seat = static_cast<LibseatSeat*>(self);
-    seat->active_ = seat->news_.resumed = true;
+    seat->active_ = true;
+    seat->news_.resumed = true;
   }
   static void Disable(libseat*, void* self) {
     auto* seat = static_cast<LibseatSeat*>(self);
