@@ -112,11 +112,18 @@ ApplicationOptions UsersOptions() {
   return with;
 }
 
-/// A file that is not there yet is begun, if its name is a document's.
-Result<void> CheckFile(const std::string& file) {
-  if (file.empty() || std::filesystem::exists(file) || file.ends_with(".parti")) return {};
-  return Fail(ErrorCode::kFile, fmt::format("there is no file '{}'", file),
-              "documents end in .parti; parti --help lists the commands");
+/// A file that is not there yet is begun, if its name is a document's. A bare word is taken for a
+/// misspelt command. The exit status; kDone where all is well.
+int CheckFile(const std::string& file, const std::vector<std::string>& commands) {
+  if (file.empty() || std::filesystem::exists(file) || file.ends_with(".parti")) return kDone;
+  Error error{ErrorCode::kFile, fmt::format("there is no file '{}'", file),
+              "documents end in .parti; parti --help lists the commands"};
+  if (file.find_first_of("./") != std::string::npos) return Report(error);
+  error.code = ErrorCode::kUnknownName;
+  error.message = fmt::format("there is no command and no file '{}'", file);
+  if (const auto meant = DidYouMean(file, commands)) error.hint = "did you mean '" + *meant + "'?";
+  Report(error);
+  return kWrongUsage;
 }
 
 Result<void> BeginFile(const std::string& file, Application* application) {
@@ -168,8 +175,8 @@ void Greet(const Display& display) {
              display.Description());
 }
 
-int Open(const Options& options) {
-  if (const auto fits = CheckFile(options.file); !fits) return Report(fits.error());
+int Open(const Options& options, const std::vector<std::string>& commands) {
+  if (const int status = CheckFile(options.file, commands); status != kDone) return status;
   const EndSignals signals;
   const auto kind = DisplayKindOf(options.display);
   if (!kind) return Report(kind.error());
@@ -204,7 +211,11 @@ void AddOpenCommand(CLI::App& app, Run* run) {
                  "a FIFO whose lines are commands (tests, scripts)");
   app.add_option("--acknowledged", options->acknowledged,
                  "a file that gets a line for each command that is safe on the disk");
-  *run = [=] { return Open(*options); };
+  *run = [=, &app] {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    return Open(*options, commands);
+  };
 }
 
 }  // namespace parti::app

@@ -28,7 +28,7 @@ class ErrorsTest : public ::testing::Test {
 };
 
 TEST_F(ErrorsTest, WrongUsageExitsWith2) {
-  EXPECT_EQ(RunParti({}).status, 2);
+  EXPECT_EQ(RunParti({"--display"}).status, 2);
   EXPECT_EQ(RunParti({"repaly"}).status, 2);
   EXPECT_EQ(RunParti({"replay"}).status, 2);
   EXPECT_EQ(RunParti({"export", "a.parti"}).status, 2);

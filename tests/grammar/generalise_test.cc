@@ -54,7 +54,7 @@ TEST_F(GeneraliseTest, OneTapOffersItsKindItsSideItsRowItsColumnAndItselfAlone) 
   EXPECT_EQ(texts.at(0), ".Glass");
   EXPECT_EQ(texts.at(1), ".Glass:south");
   EXPECT_THAT(texts, Contains(".Floor:even > .Glass"));
-  EXPECT_THAT(texts, Contains(".Tile:nth(4) > .Glass:south"));
+  EXPECT_THAT(texts, Contains(".Tile:nth(4) > .Glass"));
   EXPECT_THAT(texts, Contains(".Floor:nth(2) > .Glass"));
   const auto offered = Offered({window});
   EXPECT_TRUE(std::any_of(offered.begin(), offered.end(), [](const QueryCandidate& c) {
