@@ -13,8 +13,8 @@
 namespace parti::app {
 namespace {
 
-// The log goes into the file when it is larger: about SQLite's own default of 1000 pages.
-constexpr uintmax_t kLogIsLarge_bytes = uintmax_t{4} << 20;
+// The log goes into the file when it is larger: in bytes; about SQLite's own default of 1000 pages.
+constexpr uintmax_t kLargeLog = uintmax_t{4} << 20;
 
 }  // namespace
 
@@ -106,7 +106,7 @@ Result<void> DocumentFile::Apply(std::span<const DocumentChange> changes) {
 
 Result<void> DocumentFile::Tidy() {
   std::error_code code;
-  if (std::filesystem::file_size(path_ + "-wal", code) < kLogIsLarge_bytes || code) return {};
+  if (std::filesystem::file_size(path_ + "-wal", code) < kLargeLog || code) return {};
   const auto emptied = database_.Checkpoint();
   return emptied ? Result<void>() : Fail(emptied);
 }

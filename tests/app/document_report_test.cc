@@ -42,7 +42,8 @@ Session Done(const std::vector<SessionRequest>& requests) {
 
 TEST(DocumentReportTest, TheHouseReplayedFromItsDocumentIsTheSameHouse) {
   std::vector<SessionRequest> requests = tests::HouseRequests();
-  for (const char* line : {"undo", "undo", "redo", "redo"}) requests.push_back(*ParseCommand(line));
+  for (const char* line : {"undo", "undo", "redo", "redo"})
+    requests.emplace_back(*ParseCommand(line));
   const Session session = Done(requests);
   const auto drawing = DrawingOf(DocumentOf(session));
   ASSERT_TRUE(drawing) << FormatError(drawing.error());

@@ -62,9 +62,9 @@ void KilledSession::WaitFor(uint64_t number) {
   }
 }
 
-uint64_t KilledSession::KillAfter(std::chrono::microseconds while_) {
+uint64_t KilledSession::KillAfter(std::chrono::microseconds wait) {
   if (child_ < 0) return acknowledged_;
-  std::this_thread::sleep_for(while_);
+  std::this_thread::sleep_for(wait);
   ::kill(child_, SIGKILL);
   ::waitpid(child_, nullptr, 0);
   child_ = -1;

@@ -27,7 +27,7 @@ class KilledSession {
   /// Waits until `number` is acknowledged, or the process has ended.
   void WaitFor(uint64_t number);
   /// SIGKILL after a while; returns the last number that was acknowledged.
-  uint64_t KillAfter(std::chrono::microseconds while_);
+  uint64_t KillAfter(std::chrono::microseconds wait);
 
  private:
   bool ReadOne();

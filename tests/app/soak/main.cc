@@ -21,13 +21,11 @@
 namespace parti::tests {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Few steps, so that the limit is reached soon and growth past it would show.
 constexpr size_t kUndoSteps = 60;
 constexpr double kCheckEvery_s = 360;
-// What an empty session may take more than the first one did: caches, not the work of hours.
-constexpr size_t kSlack_bytes = size_t{4} << 20;
+// Bytes that an empty session may take more than the first one did: caches, not the work of hours.
+constexpr size_t kSlack = size_t{4} << 20;
 
 size_t BytesInUse() {
 #if defined(__SANITIZE_ADDRESS__)
@@ -59,7 +57,7 @@ class Watch {
     target->Settle();
     const size_t empty = BytesInUse();
     if (first_ == 0) first_ = empty;
-    good = good && empty <= first_ + kSlack_bytes;
+    good = good && empty <= first_ + kSlack;
     fmt::print("{:6.2f} h  {:4} strokes, {:4} done, {:5.1f} MB in use, {:5.1f} MB when empty{}\n",
                clock_s / 3600, strokes, done, static_cast<double>(full) / 1e6,
                static_cast<double>(empty) / 1e6, good ? "" : "  GROWN");

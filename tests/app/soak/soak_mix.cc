@@ -14,7 +14,7 @@ namespace {
 using app::DocumentRequest;
 
 constexpr Vec2 kTablet_mm{280, 175};
-constexpr double kSamples_Hz = 50;  // a quarter of a real pen: the session's work is per stroke
+constexpr double kSampleRate = 50;  // Hz: a quarter of a real pen: the session's work is per stroke
 constexpr size_t kMostNodes = 14;   // a building is given up when it has more
 
 DeviceFacts SoakTablet() {
@@ -102,7 +102,7 @@ void SoakMix::DrawLine(SoakTarget* target, const Vec2& from_mm, const Vec2& to_m
   target->Feed(Pen(PenEvent::Kind::kDown, from_mm));
   const int samples = 8 + Below(20);
   for (int i = 1; i <= samples; ++i) {
-    clock_s_ += 1 / kSamples_Hz;
+    clock_s_ += 1 / kSampleRate;
     const double s = 0.5 - 0.5 * std::cos(kPi * i / samples);  // slow, fast, slow
     const Vec2 scatter(random_.Normal() * 0.05, random_.Normal() * 0.05);
     target->Feed(Pen(PenEvent::Kind::kMotion, from_mm + (to_mm - from_mm) * s + scatter));
@@ -134,7 +134,7 @@ void SoakMix::DrawOnBuilding(SoakTarget* target) {
 void SoakMix::Scribble(SoakTarget* target) {
   target->Feed(Pen(PenEvent::Kind::kDown, {140, 90}));
   for (int i = Below(40); i > 0; --i) {
-    clock_s_ += 1 / kSamples_Hz;
+    clock_s_ += 1 / kSampleRate;
     target->Feed(
         Pen(PenEvent::Kind::kMotion, {random_.Uniform(-10, 300), random_.Uniform(0, 175)}));
   }
