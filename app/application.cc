@@ -313,7 +313,7 @@ void Application::SweepSelect(const DragAct& drag) {
   if (drag.phase == DragPhase::kCancel) return;
   if (const auto ref = picture_->ShapeUnder(drag.px)) {
     const std::string id = IdOf(picture_->shown_state()->model, *ref);
-    if (std::find(swept_.begin(), swept_.end(), id) == swept_.end()) swept_.push_back(id);
+    if (std::find(swept_.begin(), swept_.end(), id) == swept_.end()) swept_.emplace_back(id);
   }
   if (drag.phase != DragPhase::kEnd) return;
   tapped_px_ = drag.px;

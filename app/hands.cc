@@ -52,12 +52,12 @@ std::vector<Act> Hands::Feed(const InputEvent& event, const OverPanel& over_pane
   } else if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
     const Vec2 px = PixelOf(scroll->device, scroll->position_mm);
     if (over_panel(px)) {
-      acts.push_back(PanelAct{PanelScroll{scroll->steps}});
+      acts.emplace_back(PanelAct{PanelScroll{scroll->steps}});
     } else {
-      acts.push_back(WheelAct{bindings_.WheelDoes(), px, scroll->steps});
+      acts.emplace_back(WheelAct{bindings_.WheelDoes(), px, scroll->steps});
     }
   } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    acts.push_back(PanelAct{*key});
+    acts.emplace_back(PanelAct{*key});
   }
   return acts;
 }
@@ -70,9 +70,9 @@ std::vector<Act> Hands::LiftAll() {
     Drag(lifted, &acts);
   }
   if (on_panel_) {
-    dropped_.push_back(*on_panel_);
+    dropped_.emplace_back(*on_panel_);
     on_panel_.reset();
-    acts.push_back(PanelAct{PanelPointerGone{}});
+    acts.emplace_back(PanelAct{PanelPointerGone{}});
   }
   EndHover(&acts);
   return acts;
@@ -98,7 +98,7 @@ void Hands::Meet(const DeviceEvent& event, std::vector<Act>* acts) {
     return;
   }
   if (on_panel_ && on_panel_->device == event.device) {
-    dropped_.push_back(*on_panel_);  // the end of its drag is still to come, and is no press
+    dropped_.emplace_back(*on_panel_);  // the end of its drag is still to come, and is no press
     on_panel_.reset();
     pointing_ = true;
   }
@@ -124,22 +124,22 @@ void Hands::FeedPen(const PenEvent& event, const OverPanel& over_panel, std::vec
 void Hands::Hover(const PenEvent& event, const OverPanel& over_panel, std::vector<Act>* acts) {
   const Vec2 px = PixelOf(event.device, event.position_mm);
   if (on_panel_) return;
-  acts->push_back(PanelAct{PanelPointer{px, false}});
+  acts->emplace_back(PanelAct{PanelPointer{px, false}});
   pointing_ = true;
   const bool over = over_panel(px);
   if (!over) {
     hovering_ = true;
     const PenAct would = bindings_.WouldDo(event.device);
-    acts->push_back(HoverAct{px, would == PenAct::kDraw ? mode_ : would});
+    acts->emplace_back(HoverAct{px, would == PenAct::kDraw ? mode_ : would});
   } else if (hovering_) {
     hovering_ = false;
-    acts->push_back(HoverEndAct{});
+    acts->emplace_back(HoverEndAct{});
   }
 }
 
 void Hands::EndHover(std::vector<Act>* acts) {
-  if (hovering_) acts->push_back(HoverEndAct{});
-  if (pointing_ && !on_panel_) acts->push_back(PanelAct{PanelPointerGone{}});
+  if (hovering_) acts->emplace_back(HoverEndAct{});
+  if (pointing_ && !on_panel_) acts->emplace_back(PanelAct{PanelPointerGone{}});
   hovering_ = pointing_ = false;
 }
 
@@ -149,7 +149,7 @@ void Hands::FeedDrag(const input::PenDrag& drag, const OverPanel& over_panel,
   const Vec2 px = PixelOf(drag.event.device, drag.event.position_mm);
   if (drag.phase == DragPhase::kBegin && over_panel(px)) {
     if (on_panel_) {
-      dropped_.push_back(contact);
+      dropped_.emplace_back(contact);
       return;
     }
     on_panel_ = contact;
@@ -163,7 +163,7 @@ void Hands::FeedDrag(const input::PenDrag& drag, const OverPanel& over_panel,
   }
   if (OnPanel(contact)) {
     const bool over = drag.phase == DragPhase::kEnd || drag.phase == DragPhase::kCancel;
-    acts->push_back(PanelAct{PanelPointer{px, !over}});
+    acts->emplace_back(PanelAct{PanelPointer{px, !over}});
     if (over) on_panel_.reset();
     return;
   }
@@ -175,7 +175,7 @@ void Hands::Drag(const DragAct& act, std::vector<Act>* acts) {
   DragAct sent = act;
   sent.px_per_mm = DeviceOf(act.device).mapping.px_per_mm();
   if (act.phase == DragPhase::kBegin) {
-    if (hovering_) acts->push_back(HoverEndAct{});
+    if (hovering_) acts->emplace_back(HoverEndAct{});
     hovering_ = false;
     drags_[act.device] = sent;
   } else {
@@ -185,7 +185,7 @@ void Hands::Drag(const DragAct& act, std::vector<Act>* acts) {
     begun->second = sent;
     if (act.phase != DragPhase::kMove) drags_.erase(begun);
   }
-  acts->push_back(sent);
+  acts->emplace_back(sent);
 }
 
 void Hands::FeedTouch(const TouchEvent& event, const OverPanel& over_panel,
@@ -195,17 +195,17 @@ void Hands::FeedTouch(const TouchEvent& event, const OverPanel& over_panel,
   const bool lifts = event.kind == TouchEvent::Kind::kUp || event.kind == TouchEvent::Kind::kCancel;
   if (event.kind == TouchEvent::Kind::kDown && over_panel(px)) {
     if (on_panel_) {
-      dropped_.push_back(contact);
+      dropped_.emplace_back(contact);
     } else {
       on_panel_ = contact;
     }
   }
   if (OnPanel(contact)) {
     if (event.kind != TouchEvent::Kind::kCancel) {
-      acts->push_back(PanelAct{PanelPointer{px, !lifts}});
+      acts->emplace_back(PanelAct{PanelPointer{px, !lifts}});
     }
     if (lifts) {
-      acts->push_back(PanelAct{PanelPointerGone{}});
+      acts->emplace_back(PanelAct{PanelPointerGone{}});
       on_panel_.reset();
       pointing_ = false;
     }
@@ -228,11 +228,11 @@ void Hands::TakeGesture(const input::Gesture& gesture, std::vector<Act>* acts) {
           pen.pressure},
          acts);
   } else if (const auto* orbit = std::get_if<input::OrbitGesture>(&gesture)) {
-    acts->push_back(*orbit);
+    acts->emplace_back(*orbit);
   } else if (const auto* pan = std::get_if<input::PanZoomGesture>(&gesture)) {
-    acts->push_back(*pan);
+    acts->emplace_back(*pan);
   } else if (const auto* tap = std::get_if<input::TapGesture>(&gesture)) {
-    acts->push_back(*tap);
+    acts->emplace_back(*tap);
   }
 }
 

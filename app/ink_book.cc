@@ -10,8 +10,8 @@ namespace {
 /// Strokes of the sketch, read or not, in the order drawn.
 std::vector<const DrawnStroke*> StrokesOf(const Sketch& sketch) {
   std::vector<const DrawnStroke*> strokes;
-  for (const auto& drawn : sketch.strokes) strokes.push_back(drawn.get());
-  for (const auto& drawn : sketch.unread) strokes.push_back(drawn.get());
+  for (const auto& drawn : sketch.strokes) strokes.emplace_back(drawn.get());
+  for (const auto& drawn : sketch.unread) strokes.emplace_back(drawn.get());
   std::sort(strokes.begin(), strokes.end(),
             [](const auto* a, const auto* b) { return a->number < b->number; });
   return strokes;
@@ -86,7 +86,7 @@ std::vector<uint32_t> InkBook::Touched(const SessionState& state, const Camera& 
   std::vector<uint32_t> numbers;
   for (const DrawnStroke* drawn : StrokesOf(state.sketch)) {
     if (drawn->camera == now && Touches(drawn->stroke, a, b, radius_px)) {
-      numbers.push_back(drawn->number);
+      numbers.emplace_back(drawn->number);
     }
   }
   return numbers;

@@ -17,7 +17,7 @@ Result<Meaning> MeaningOf(const SessionState& state, size_t number) {
   const grammar::Action& action = sketch.suggestions[number].action;
   Meaning meaning;
   for (const auto& line : sketch::Settled(sketch.lines, item, action).lines) {
-    meaning.lines.push_back(line.world);
+    meaning.lines.emplace_back(line.world);
   }
   const auto products = grammar::Apply(action, item);
   if (!products) return Fail(products);

@@ -23,7 +23,7 @@ WorldMarks SelectedOf(const SessionState& state, const DrawingStyle& style) {
 std::vector<WorldMarks> OverlayOf(const SessionState& state, std::optional<size_t> preview,
                                   const DrawingStyle& style) {
   std::vector<WorldMarks> overlay;
-  overlay.push_back(SelectedOf(state, style));
+  overlay.emplace_back(SelectedOf(state, style));
   // A suggestion that its shape can't take after all is only left out of the picture.
   if (auto meaning = MeaningOf(state, preview.value_or(0))) {
     render::Vec4f wire = style.suggestion;

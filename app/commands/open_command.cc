@@ -74,7 +74,7 @@ Result<void> TakeScreenshot(Application* application, const std::string& path) {
 /// Until the display is closed or a signal comes.
 Result<void> Loop(Application* application, const EndSignals& signals, CommandPipe* pipe) {
   std::vector<int> also{signals.fd()};
-  if (pipe) also.push_back(pipe->fd());
+  if (pipe) also.emplace_back(pipe->fd());
   constexpr double kLong_s = 60;
   while (!application->close_asked() && !signals.came()) {
     if (auto turned = application->Turn(kLong_s, also); !turned) return turned;
@@ -213,7 +213,8 @@ void AddOpenCommand(CLI::App& app, Run* run) {
                  "a file that gets a line for each command that is safe on the disk");
   *run = [=, &app] {
     std::vector<std::string> commands;
-    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands({}))
+      commands.emplace_back(command->get_name());
     return Open(*options, commands);
   };
 }

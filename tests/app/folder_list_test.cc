@@ -18,7 +18,7 @@ TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
   }
   const PanelFiles files = ListOf(folder + "/zoo/..");
   std::vector<std::string> names;
-  for (const PanelFile& file : files.here) names.push_back(file.name);
+  for (const PanelFile& file : files.here) names.emplace_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"zoo", "A.pen", "b.parti", "c.cga"}));
   EXPECT_TRUE(files.here[0].is_folder);
   EXPECT_TRUE(std::filesystem::equivalent(files.folder, folder));

@@ -57,23 +57,23 @@ std::vector<std::string> Words(const std::vector<Act>& acts) {
     if (const auto* drag = std::get_if<DragAct>(&act)) {
       const char* phases[] = {"begin", "move", "end", "cancel"};
       const char* names[] = {"none", "draw", "erase", "select", "orbit", "pan", "zoom"};
-      words.push_back(std::string(phases[static_cast<int>(drag->phase)]) + " " +
-                      names[static_cast<int>(drag->act)]);
+      words.emplace_back(std::string(phases[static_cast<int>(drag->phase)]) + " " +
+                         names[static_cast<int>(drag->act)]);
     } else if (const auto* panel = std::get_if<PanelAct>(&act)) {
       const auto* pointer = std::get_if<PanelPointer>(&panel->event);
-      words.push_back(pointer ? pointer->down ? "press" : "point"
-                      : std::holds_alternative<PanelPointerGone>(panel->event) ? "gone"
-                                                                               : "panel");
+      words.emplace_back(pointer ? pointer->down ? "press" : "point"
+                         : std::holds_alternative<PanelPointerGone>(panel->event) ? "gone"
+                                                                                  : "panel");
     } else if (std::holds_alternative<HoverAct>(act)) {
-      words.push_back("hover");
+      words.emplace_back("hover");
     } else if (std::holds_alternative<HoverEndAct>(act)) {
-      words.push_back("hover end");
+      words.emplace_back("hover end");
     } else if (const auto* orbit = std::get_if<input::OrbitGesture>(&act)) {
-      words.push_back(orbit->phase == DragPhase::kCancel ? "orbit cancelled" : "orbit");
+      words.emplace_back(orbit->phase == DragPhase::kCancel ? "orbit cancelled" : "orbit");
     } else if (const auto* tap = std::get_if<input::TapGesture>(&act)) {
-      words.push_back("tap " + std::to_string(tap->fingers));
+      words.emplace_back("tap " + std::to_string(tap->fingers));
     } else {
-      words.push_back("other");
+      words.emplace_back("other");
     }
   }
   return words;
@@ -157,7 +157,7 @@ TEST_F(HandsTest, AFingerDrawsWhereThatIsSwitchedOn) {
   hands_.SetFingerDraws(true);
   std::vector<std::string> words;
   const auto note = [&](const std::vector<Act>& acts) {
-    for (const std::string& word : Words(acts)) words.push_back(word);
+    for (const std::string& word : Words(acts)) words.emplace_back(word);
   };
   note(Touch(TouchEvent::Kind::kDown, {800, 500}));
   for (int i = 1; i < 20; ++i) note(Touch(TouchEvent::Kind::kMotion, {800.0 + 10 * i, 500}));

@@ -55,7 +55,7 @@ TEST(InkBookTest, UnreadStrokesAreShownInTheOrderDrawn) {
   SessionState state = WithStrokes({Line(10), Line(20)});
   auto unread = *state.sketch.strokes[0];
   unread.number = 7;
-  state.sketch.unread.push_back(std::make_shared<const DrawnStroke>(unread));
+  state.sketch.unread.emplace_back(std::make_shared<const DrawnStroke>(unread));
   EXPECT_EQ(book.Shown(state, state.camera, 0).size(), 3u);
 }
 

@@ -89,7 +89,7 @@ class WindowTest : public testing::Test {
       const Vec2 at = from + (to - from) * (i / 20.0);
       for (const std::string& word : {std::string("mousemove"), Text(at.x), Text(at.y),
                                       std::string("sleep"), std::string("0.01")}) {
-        words.push_back(word);
+        words.emplace_back(word);
       }
     }
     ASSERT_TRUE(server_->Do(words));
