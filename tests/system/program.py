@@ -7,6 +7,9 @@ from machine import MachineError
 COLUMNS = 160  # of the text console: the screen's width in letters of 8 px
 START_S = 60
 END_S = 30
+SETTLE_S = 240
+QUIET_LOOKS = 3  # a second apart: that was all
+QUIET_TICKS = 2  # of the processor, 1/100 s, in which nothing is drawn
 
 
 class Program:
@@ -37,6 +40,17 @@ class Program:
             if time.monotonic() > limit or not self.running():
                 raise MachineError(f"the program does not say `{words}`, but:\n{self.complaints()}")
             time.sleep(0.3)
+
+    def settle(self, limit_s=SETTLE_S):
+        """Until it has nothing left to do: what is on the screen stays there."""
+        limit, quiet, last = time.monotonic() + limit_s, 0, -1
+        while quiet < QUIET_LOOKS:
+            if time.monotonic() > limit:
+                raise MachineError(f"the program is busy for more than {limit_s} s")
+            time.sleep(1)
+            ticks = int(self.machine.must(f"awk '{{ print $14 + $15 }}' /proc/{self.pid}/stat"))
+            quiet = quiet + 1 if ticks - last <= QUIET_TICKS else 0
+            last = ticks
 
     def end(self, signal="TERM"):
         """Sends a signal and waits for the program's end."""

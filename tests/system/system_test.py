@@ -12,8 +12,10 @@ import time
 import traceback
 
 import kernel
+import stage_demo
 import stage_desktop
 import stage_devices
+import stage_power
 import stage_screen
 from laboratory import Failure, Laboratory, Tablets
 from machine import MachineError
@@ -23,6 +25,8 @@ STAGES = {
     "devices": stage_devices,
     "screen": stage_screen,
     "desktop": stage_desktop,
+    "demo": stage_demo,
+    "power": stage_power,
 }
 PROGRAMS = ("qemu-system-x86_64", "setpriv", "mke2fs", "dpkg-deb", "apt-get", "busybox", "ldd")
 LIMIT_S = 15 * 60
