@@ -56,6 +56,8 @@ Application::Application(Display* display, SessionThread* session, ApplicationOp
       session_(session),
       options_(std::move(options)),
       settings_(options_.settings),
+      folders_(
+          [state = options_.state_folder](const std::string& path) { return ListOf(path, state); }),
       keeper_([path = options_.settings_path](const Settings& settings) -> Result<void> {
         if (path.empty()) return {};
         return WriteSettings(settings, path);
@@ -93,7 +95,7 @@ Result<void> Application::Start() {
   panels_ = std::move(*panels);
   ink_ = std::make_unique<InkDesk>(canvas_.get(),
                                    [this](SessionRequest r) { return Post(std::move(r)); });
-  folders_.Ask("");
+  folders_.Ask(listed_);
   SettingsChanged();
   told_ = snapshot_->state->camera;
   looking_.Set(told_);
@@ -164,6 +166,7 @@ void Application::TakeSnapshot() {
   session_->ready().Clear();
   auto newest = session_->Newest();
   if (newest == snapshot_) return;
+  if (newest->document.path != snapshot_->document.path) folders_.Ask(listed_);
   const bool other_view = !(newest->state->camera == snapshot_->state->camera);
   snapshot_ = std::move(newest);
   if (options_.on_snapshot) options_.on_snapshot(*snapshot_);
@@ -340,7 +343,8 @@ void Application::Do(const PanelCommand& command) {
   } else if (const auto* request = std::get_if<DocumentRequest>(&command)) {
     Post(*request);
   } else if (const auto* folder = std::get_if<ListFolder>(&command)) {
-    folders_.Ask(folder->path);
+    listed_ = folder->path;
+    folders_.Ask(listed_);
   } else if (const auto* view = std::get_if<ViewRequest>(&command)) {
     Do(*view);
   } else if (const auto* mode = std::get_if<PointerMode>(&command)) {

@@ -28,7 +28,8 @@ namespace parti::app {
 /// What an application begins with.
 struct ApplicationOptions {
   Settings settings;
-  std::string settings_path;                                ///< "": changes are not kept
+  std::string settings_path;  ///< "": changes are not kept
+  std::string state_folder;   ///< of the recent files (user_folders.h)
   std::function<void(const SessionSnapshot&)> on_snapshot;  ///< told of each; may be empty
 };
 
@@ -118,13 +119,14 @@ class Application {
   std::unique_ptr<ModelPicture> picture_;
   std::unique_ptr<Panels> panels_;
   std::unique_ptr<InkDesk> ink_;
-  LatestWorker<std::string, PanelFiles> folders_{ListOf};
+  LatestWorker<std::string, PanelFiles> folders_;
   LatestWorker<Settings, Result<void>> keeper_;
   Trials trials_;
 
   std::shared_ptr<const SessionSnapshot> snapshot_;
   const PanelOutput* panel_output_ = nullptr;
   std::shared_ptr<const render::Image> letters_;
+  std::string listed_;  // the folder that the document sheet shows
   std::vector<InputEvent> fed_;
   std::vector<PanelEvent> panel_events_;  // since the last frame of panels
   bool panels_stale_ = true;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "app/recent_files.h"
+
 namespace parti::app {
 namespace {
 
@@ -31,8 +33,9 @@ fs::path Absolute(const std::string& path) {
 
 }  // namespace
 
-PanelFiles ListOf(const std::string& path) {
+PanelFiles ListOf(const std::string& path, const std::string& state_folder) {
   PanelFiles files;
+  files.recent = RecentFiles(state_folder);
   const fs::path folder = Absolute(path);
   files.folder = folder.string();
   std::error_code failed;

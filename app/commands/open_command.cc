@@ -103,6 +103,7 @@ Result<std::optional<T>> Opened(const std::string& path) {
 ApplicationOptions UsersOptions() {
   ApplicationOptions with;
   with.settings_path = SettingsPath();
+  with.state_folder = UserFoldersFromEnvironment().state;
   auto settings = ReadSettings(with.settings_path);
   if (settings) {
     with.settings = *settings;

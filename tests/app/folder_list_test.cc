@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/recent_files.h"
 #include "base/text_file.h"
 
 namespace parti::app {
@@ -16,7 +17,7 @@ TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
   for (const char* name : {"b.parti", "A.pen", "c.cga", "d.txt", ".e.parti"}) {
     ASSERT_TRUE(WriteFile(folder + "/" + name, ""));
   }
-  const PanelFiles files = ListOf(folder + "/zoo/..");
+  const PanelFiles files = ListOf(folder + "/zoo/..", folder);
   std::vector<std::string> names;
   for (const PanelFile& file : files.here) names.emplace_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"zoo", "A.pen", "b.parti", "c.cga"}));
@@ -25,8 +26,18 @@ TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(FolderListTest, RecentFilesComeFirst) {
+  const std::string folder = testing::TempDir() + "folder_list_recent";
+  std::filesystem::remove_all(folder);
+  NoteRecentFile(folder, "/a/old.parti");
+  NoteRecentFile(folder, "/a/new.parti");
+  EXPECT_EQ(ListOf(folder, folder).recent,
+            (std::vector<std::string>{"/a/new.parti", "/a/old.parti"}));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(FolderListTest, AFolderThatIsNotThereIsEmpty) {
-  EXPECT_TRUE(ListOf("/no/such/folder").here.empty());
+  EXPECT_TRUE(ListOf("/no/such/folder", "").here.empty());
 }
 
 }  // namespace
