@@ -25,7 +25,7 @@ def run(laboratory, machine, tablets):
 
 def _see_both_devices(machine):
     listed = machine.must("parti devices")
-    check("Wacom Cintiq 13HD (056a:0304): pen, pressure, tilt, distance, eraser, 298 x 169 mm" in listed,
+    check("Wacom Cintiq 13HD (056a:0304): pen, display, pressure, tilt, distance, eraser, 298 x 169 mm" in listed,
           f"parti devices does not list the tablet:\n{listed}")
     check("Parti Touch Screen (1209:5042): touch" in listed,
           f"parti devices does not list the touch screen:\n{listed}")
