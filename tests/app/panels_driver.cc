@@ -75,8 +75,8 @@ std::vector<PanelCommand> PanelDriver::Key(uint32_t code, const std::string& tex
 std::vector<PanelCommand> PanelDriver::Type(const std::string& text) {
   std::vector<PanelEvent> events;
   for (const char c : text) {
-    events.push_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = true, .text = std::string(1, c)});
-    events.push_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = false});
+    events.emplace_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = true, .text = std::string(1, c)});
+    events.emplace_back(KeyEvent{.code = KEY_UNKNOWN, .pressed = false});
   }
   Frame(std::move(events));
   return Done();
@@ -151,7 +151,7 @@ std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps) {
   return SnapshotOf(session.state());
 }
 
-std::shared_ptr<const SessionSnapshot> Taken(std::shared_ptr<const SessionSnapshot> session,
+std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const SessionSnapshot>& session,
                                              const NodePath& path) {
   SessionState state = *session->state;
   state.in_hand = path;
@@ -160,7 +160,8 @@ std::shared_ptr<const SessionSnapshot> Taken(std::shared_ptr<const SessionSnapsh
   return taken;
 }
 
-std::shared_ptr<const SessionSnapshot> InTrouble(std::shared_ptr<const SessionSnapshot> session) {
+std::shared_ptr<const SessionSnapshot> InTrouble(
+    const std::shared_ptr<const SessionSnapshot>& session) {
   auto troubled = std::make_shared<SessionSnapshot>(*session);
   troubled->document.trouble =
       Error{ErrorCode::kFile, "can't write House.parti: the disk is full",

@@ -56,9 +56,10 @@ std::shared_ptr<const SessionSnapshot> WholeHouse();
 /// The house with windows tapped.
 std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps);
 /// The same with a node in hand.
-std::shared_ptr<const SessionSnapshot> Taken(std::shared_ptr<const SessionSnapshot> session,
+std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const SessionSnapshot>& session,
                                              const NodePath& path);
 /// The same with a full disk, and a command that failed.
-std::shared_ptr<const SessionSnapshot> InTrouble(std::shared_ptr<const SessionSnapshot> session);
+std::shared_ptr<const SessionSnapshot> InTrouble(
+    const std::shared_ptr<const SessionSnapshot>& session);
 
 }  // namespace parti::app::tests

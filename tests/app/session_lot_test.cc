@@ -29,7 +29,7 @@ class SessionLotTest : public ::testing::Test, public SessionDriver {
     return outline;
   }
   Result<void> DrawOutline(const std::vector<Vec2>& corners) {
-    return session_.AddStroke(Outline(corners));
+    return session.AddStroke(Outline(corners));
   }
 
   const std::vector<Vec2> closed_ = {{-10, -7}, {10, -7}, {10, 7}, {-10, 7}, {-10, -7}};
@@ -47,7 +47,7 @@ TEST_F(SessionLotTest, TheFirstClosedOutlineIsTheLotAndTheNextLineIsDrawnUpFromI
 
 TEST_F(SessionLotTest, TheLotIsInTheHistoryAsACommandThatReplays) {
   ASSERT_TRUE(DrawOutline(closed_));
-  const auto& history = session_.history();
+  const auto& history = session.history();
   ASSERT_THAT(history, SizeIs(3));
   EXPECT_TRUE(history[1].stroke);
   EXPECT_EQ(TextOf(*history[2].command), "lot poly(-10,7 10,7 10,-7 -10,-7)");
@@ -83,7 +83,7 @@ TEST_F(SessionLotTest, AClosedOutlineCountsWhateverWasLeftOpenBefore) {
 }
 
 TEST_F(SessionLotTest, ATapIsInkAndNotASide) {
-  ASSERT_FALSE(session_.AddStroke({{Vec2(800, 500), 0.0}}));
+  ASSERT_FALSE(session.AddStroke({{Vec2(800, 500), 0.0}}));
   EXPECT_THAT(state().sketch.strokes, IsEmpty());
   EXPECT_THAT(state().sketch.unread, SizeIs(1));
   ASSERT_TRUE(DrawOutline(closed_));

@@ -49,11 +49,11 @@ class RandomSession : public SessionDriver {
     if (random_.Uniform() < 0.15) {
       const double x = random_.Uniform(1, 19), y = random_.Uniform(1, 11);
       // Fails where it means nothing; it is ink then, and a step all the same.
-      static_cast<void>(session_.AddStroke(Line({x, 0, 14}, {x, y, 14})));
+      static_cast<void>(session.AddStroke(Line({x, 0, 14}, {x, y, 14})));
       return;
     }
     if (const auto command = ParseCommand(Line())) {
-      static_cast<void>(session_.Execute(*command));
+      static_cast<void>(session.Execute(*command));
     } else {
       ADD_FAILURE() << command.error().message;
     }
@@ -128,15 +128,15 @@ class SessionPropertyTest : public ::testing::TestWithParam<uint64_t> {};
 TEST_P(SessionPropertyTest, UndoingAllAndRedoingAllGivesEveryStateAgain) {
   RandomSession session(GetParam());
   for (int i = 0; i < 60; ++i) session.Step();
-  while (session.session_.Execute(Redo{})) {
+  while (session.session.Execute(Redo{})) {
   }
   std::vector<std::string> seen = {Seen(session.state())};
-  while (session.session_.Execute(Undo{})) seen.push_back(Seen(session.state()));
+  while (session.session.Execute(Undo{})) seen.push_back(Seen(session.state()));
   EXPECT_GT(seen.size(), 10u);
   while (true) {
     EXPECT_EQ(Seen(session.state()), seen.back());
     seen.pop_back();
-    if (!session.session_.Execute(Redo{})) break;
+    if (!session.session.Execute(Redo{})) break;
   }
   EXPECT_TRUE(seen.empty());
 }
@@ -161,16 +161,16 @@ TEST_P(SessionPropertyTest, AStateIsRestoredFromItsRecordAndUndoFromRecordsAlone
 TEST_P(SessionPropertyTest, ASessionThatIsBuiltFromItsRecordsGoesOnAlike) {
   RandomSession session(GetParam());
   for (int i = 0; i < 40; ++i) session.Step();
-  const Timeline& timeline = session.session_.timeline();
+  const Timeline& timeline = session.session.timeline();
   const auto [first, now, last] = timeline.span();
   std::vector<SessionRecord> records;
   for (uint64_t i = first; i <= last; ++i) records.push_back(timeline.step(i).record);
   auto present = Restore(records[now - first], {});
   ASSERT_TRUE(present);
   Session reopened(Timeline(std::move(records), first, now, std::move(*present), {}),
-                   session.session_.strokes_drawn());
+                   session.session.strokes_drawn());
   EXPECT_EQ(Seen(reopened.state()), Seen(session.state()));
-  while (session.session_.Execute(Undo{})) {
+  while (session.session.Execute(Undo{})) {
     ASSERT_TRUE(reopened.Execute(Undo{}));
     EXPECT_EQ(Seen(reopened.state()), Seen(session.state()));
   }

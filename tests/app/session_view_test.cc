@@ -86,7 +86,7 @@ TEST_F(SessionViewTest, AnErasedStrokeIsNoLongerReadWithTheOthers) {
 }
 
 TEST_F(SessionViewTest, InkThatMeansNothingCanBeErasedToo) {
-  ASSERT_FALSE(session_.AddStroke({{Vec2(800, 500), 0.0}}));
+  ASSERT_FALSE(session.AddStroke({{Vec2(800, 500), 0.0}}));
   ASSERT_THAT(state().sketch.unread, SizeIs(1));
   Do("erase 0");
   EXPECT_THAT(state().sketch.unread, IsEmpty());

@@ -19,7 +19,7 @@ class SnapTest : public ::testing::Test {
   const Model model_ = *BuiltOn(*ParseLots("rect(20,14)"), *grammar::ParseTrees(R"(tree t {
     .Lot --> extrude(12) Mass
     .Mass --> comp(f) { side: Facade | top: Roof } })"));
-  const Camera camera_ = [this] {
+  const Camera camera_ = [] {
     Camera camera;
     camera.eye = {50, 20, 50};
     camera.target = {10, 6, 7};
