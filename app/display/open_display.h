@@ -13,8 +13,8 @@
 
 namespace parti::app {
 
-/// kBest: a window where DISPLAY names an X server that answers, else the whole screen, but not on a
-/// Wayland desktop, whose screen it is.
+/// kBest: a window where DISPLAY names an X server that answers, else the whole screen, but not on
+/// a Wayland desktop, whose screen it is.
 enum class DisplayKind { kBest, kKms, kX11, kOffscreen };
 
 /// What `--display` may be given: "best", "kms", "x11", "offscreen".
