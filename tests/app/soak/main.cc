@@ -15,7 +15,8 @@
 #include "tests/app/soak/soak_mix.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-#include <sanitizer/allocator_interface.h>
+// The sanitizer's own; g++ comes without the header that declares it.
+extern "C" size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
 namespace parti::tests {
