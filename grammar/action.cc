@@ -5,9 +5,11 @@
 namespace parti::grammar {
 namespace {
 
-constexpr std::array<std::string_view, 13> kSelectorNames = {
-    "all",  "front",    "back",       "left",  "right",  "top",   "bottom",
-    "side", "vertical", "horizontal", "index", "inside", "border"};
+constexpr std::array<std::string_view, 20> kSelectorNames = {
+    "all",         "front",        "back",        "left",         "right",
+    "top",         "bottom",       "side",        "vertical",     "horizontal",
+    "index",       "inside",       "border",      "street.front", "street.back",
+    "street.left", "street.right", "street.side", "shape",        "remainder"};
 
 }  // namespace
 
@@ -35,6 +37,12 @@ std::optional<Selector::Kind> SelectorNamed(std::string_view name) {
     if (kSelectorNames[i] == name && kind != Selector::Kind::kIndex) return kind;
   }
   return std::nullopt;
+}
+
+std::vector<std::string_view> SelectorNames() {
+  std::vector<std::string_view> names(kSelectorNames.begin(), kSelectorNames.end());
+  names.erase(names.begin() + static_cast<std::ptrdiff_t>(Selector::Kind::kIndex));
+  return names;
 }
 
 }  // namespace parti::grammar

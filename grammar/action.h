@@ -26,7 +26,8 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// CGA's component selectors; offset knows kInside and kBorder, comp the others.
+/// CGA's selectors of faces, edges and parts; each row of the table lists those that it knows. The
+/// street's sides are those of front_edge.h.
 struct Selector {
   enum class Kind : uint8_t {
     kAll,
@@ -41,15 +42,25 @@ struct Selector {
     kHorizontal,
     kIndex,
     kInside,
-    kBorder
+    kBorder,
+    kStreetFront,
+    kStreetBack,
+    kStreetLeft,
+    kStreetRight,
+    kStreetSide,
+    kShape,
+    kRemainder
   };
   Kind kind = Kind::kAll;
   int index = 0;  ///< kIndex
   bool operator==(const Selector&) const = default;
 };
 
-std::string_view NameOf(Axis axis);            ///< "x"
-std::string_view NameOf(Selector::Kind kind);  ///< "front"; kIndex is written as its number
+std::string_view NameOf(Axis axis);  ///< "x"
+/// "front", "street.front"; kIndex is written as its number.
+std::string_view NameOf(Selector::Kind kind);
+/// Every name but that of kIndex, in the order of the kinds.
+std::vector<std::string_view> SelectorNames();
 /// Nothing when there is no such selector; kIndex has no name.
 std::optional<Selector::Kind> SelectorNamed(std::string_view name);
 

@@ -179,6 +179,19 @@ Result<std::vector<Key>> KeysFrom(const Lexer& lexer, const Operation& row,
   return keys;
 }
 
+/// A name, or names joined by dots as in street.front, as one token.
+Token SelectorName(Lexer ahead) {
+  Token name = ahead.Next();
+  while (ahead.At('.') && ahead.Touching()) {
+    ahead.Next();
+    if (!ahead.At(Token::Kind::kName) || !ahead.Touching()) break;
+    const Token part = ahead.Next();
+    name.text += "." + part.text;
+    name.length = part.end() - name.offset;
+  }
+  return name;
+}
+
 /// Reads actions and their braces; holds what recursion needs.
 class ActionReader {
  public:
@@ -317,8 +330,9 @@ class ActionReader {
 
   Result<Key> ReadSelectorKey() {
     Selector selector;
-    const Token token = lexer_->Peek();
+    Token token = lexer_->Peek();
     if (token.kind == Token::Kind::kName) {
+      token = SelectorName(*lexer_);
       const auto kind = SelectorNamed(token.text);
       if (!kind) return UnknownSelector(token);
       selector.kind = *kind;
@@ -332,18 +346,15 @@ class ActionReader {
     } else {
       return tl::unexpected<Error>(lexer_->Unexpected("a selector: side, top, 0 …"));
     }
-    lexer_->Next();
+    while (lexer_->Peek().offset < token.end()) lexer_->Next();
     const auto colon = lexer_->Expect(':', "':' after the selector");
     if (!colon) return Fail(colon);
     return Key(selector);
   }
 
   Result<Key> UnknownSelector(const Token& token) {
-    std::vector<std::string> names;
-    for (int k = 0; k <= static_cast<int>(Selector::Kind::kBorder); ++k) {
-      const auto kind = static_cast<Selector::Kind>(k);
-      if (kind != Selector::Kind::kIndex) names.emplace_back(NameOf(kind));
-    }
+    const std::vector<std::string_view> known = SelectorNames();
+    const std::vector<std::string> names(known.begin(), known.end());
     const auto meant = DidYouMean(token.text, names);
     return FailAt(*lexer_, token, ErrorCode::kUnknownName,
                   fmt::format("there is no selector '{}'", token.text),
@@ -405,8 +416,12 @@ std::string ArgumentsText(const Action& action) {
     --count;
   }
   std::vector<std::string> texts;
-  for (size_t i = 0; i < count; ++i)
-    texts.push_back(TextOf(action.arguments[i], row.parameters[i].kind));
+  for (size_t i = 0; i < count; ++i) {
+    const Parameter& parameter = row.parameters[i];
+    const bool implied = !parameter.required && parameter.kind == ParameterKind::kWord &&
+                         action.arguments[i] == parameter.default_value;
+    if (!implied) texts.push_back(TextOf(action.arguments[i], parameter.kind));
+  }
   return fmt::format("({})", fmt::join(texts, ", "));
 }
 

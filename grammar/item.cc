@@ -22,6 +22,7 @@ Item RectangleOf(const Item& parent, const Vec3& origin, const Vec3& x, const Ve
   face.scope = {origin, x, glm::cross(normal, x), normal, Vec3(width, height, 0)};
   face.facing = normal;
   face.color_rgb = parent.color_rgb;
+  face.street_deg = parent.street_deg;
   return face;
 }
 

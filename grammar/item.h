@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Item {
   std::shared_ptr<const Mesh> mesh;        ///< volume, in scope coordinates; null: the box
   Vec3 facing{0, 0, 0};  ///< unit outward normal; a volume keeps its origin's; 0: none (errata 10)
   uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given
+  /// Which way the street lies, clockwise from north, in degrees; what is made from a shape keeps
+  /// it. Nothing: no street is known (front_edge.h).
+  std::optional<float> street_deg;
 };
 
 /// A planar item from corners in the world (first the outline, then holes), in any winding; the

@@ -22,6 +22,7 @@ Item PlanarItem(const Scope& frame, Polygon polygon, const Item& parent) {
   item.scope.size = Vec3(size.x, size.y, 0);
   item.facing = frame.z;
   item.color_rgb = parent.color_rgb;
+  item.street_deg = parent.street_deg;
   if (Area(polygon) >= kFull * size.x * size.y) return item;
   for (Vec2& p : polygon.outer) p -= box.low;
   for (Ring& hole : polygon.holes) {
@@ -44,6 +45,7 @@ Item VolumeItem(const Scope& frame, Mesh mesh, const Item& parent) {
   item.scope.size = high - low;
   item.facing = parent.facing;
   item.color_rgb = parent.color_rgb;
+  item.street_deg = parent.street_deg;
   const Vec3& size = item.scope.size;
   if (Volume(mesh) >= kFull * size.x * size.y * size.z) return item;
   for (Vec3& p : mesh.points) p -= low;

@@ -16,7 +16,9 @@ namespace parti::grammar {
 /// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f.
 enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor, kWord };
 
-/// What an operation wants to be told: one argument of it.
+/// What an operation wants to be told: one argument of it. Those that are not required may be left
+/// out from the end; a word that is not required, also before others, as no number is a word:
+/// roofHip(30) is roofHip(byAngle, 30, 0). An Action always has one argument per parameter.
 struct Parameter {
   std::string_view name;  ///< "distance"
   ParameterKind kind;
@@ -49,7 +51,8 @@ struct Operation {
   std::span<const Selector::Kind> selectors;  ///< kSelectors: those that it knows
   ItemTypes takes;
   ItemTypes gives;
-  bool in_place;  ///< changes the shape itself and makes no child: tag, color
+  bool in_place;        ///< changes the shape itself and makes no child: tag, color
+  bool sampled = true;  ///< whether Samples spreads it: what a sketch may mean
 
   /// Pure. Rows that change in place give the item itself, changed as far as an item can be
   /// (color); tag and symbol are the driver's to set on the shape. Products in creation order. An
@@ -96,7 +99,8 @@ std::vector<Dial> Dials(Action* action);
 /// with each of `lengths_m` in turn for its length (both signs where its range allows them).
 /// A split is sampled by one cut, { length: A | ~1: B }, a repeat by { ~length: A }*, with lengths
 /// that fit the axis; comp by comp(f) { all: A }. Rows that don't take the item's type, or only
-/// change an item in place, give nothing (Jesus 2018, Listing 6.1).
+/// change an item in place, give nothing, nor do rows that are not `sampled` (Jesus 2018,
+/// Listing 6.1).
 std::vector<Action> Samples(const Operation& operation, const Item& item,
                             std::span<const double> lengths_m);
 

@@ -126,7 +126,8 @@ std::vector<Dial> Dials(Action* action) {
 std::vector<Action> Samples(const Operation& operation, const Item& item,
                             std::span<const double> lengths_m) {
   std::vector<Action> samples;
-  if (operation.in_place || (operation.takes & Types(item.type)) == 0) return samples;
+  if (operation.in_place || !operation.sampled) return samples;
+  if ((operation.takes & Types(item.type)) == 0) return samples;
   if (operation.braces == Braces::kSizes) {
     AddSplitSamples(operation, item, lengths_m, &samples);
   } else {

@@ -33,6 +33,7 @@ Item Extruded(const Item& base, double distance) {
   box.scope = scope;
   box.facing = base.facing;
   box.color_rgb = base.color_rgb;
+  box.street_deg = base.street_deg;
   return box;
 }
 

@@ -174,7 +174,7 @@ TEST(Action, EqualityLooksIntoGroups) {
 }
 
 TEST(Selector, NamesReadBack) {
-  for (int i = 0; i <= static_cast<int>(Kind::kBorder); ++i) {
+  for (int i = 0; i <= static_cast<int>(Kind::kRemainder); ++i) {
     const auto kind = static_cast<Kind>(i);
     if (kind == Kind::kIndex) continue;
     EXPECT_EQ(SelectorNamed(NameOf(kind)), kind);
