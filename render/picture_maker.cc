@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace parti::render {
 namespace {
@@ -59,8 +60,7 @@ PictureMaker::~PictureMaker() {
 
 Result<void> PictureMaker::Load(const std::shared_ptr<const Scene>& scene) {
   if (loaded_ && scene == scene_) return {};
-  loaded_.reset();
-  Result<LoadedScene> loaded = renderer_->Load(*scene);
+  Result<LoadedScene> loaded = renderer_->Load(*scene, std::exchange(loaded_, std::nullopt));
   if (!loaded) return Fail(loaded);
   ++uploads_;
   scene_ = scene;

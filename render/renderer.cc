@@ -33,10 +33,15 @@ Result<Renderer> Renderer::Create(const Gl& gl, const Look& look) {
                   most_samples);
 }
 
-Result<LoadedScene> Renderer::Load(const Scene& scene) const {
+Result<LoadedScene> Renderer::Load(const Scene& scene,
+                                   std::optional<LoadedScene> instead_of) const {
+  std::optional<SunShadow> replaced;
+  if (instead_of) replaced.emplace(std::move(instead_of->shadow));
+  instead_of.reset();
   GpuScene uploaded(*gl_, scene);
   if (const auto checked = CheckGl(*gl_, "uploading the scene"); !checked) return Fail(checked);
-  Result<SunShadow> shadow = SunShadow::Create(*gl_, programs_.depth, uploaded, look_);
+  Result<SunShadow> shadow =
+      SunShadow::Create(*gl_, programs_.depth, uploaded, look_, std::move(replaced));
   if (!shadow) return Fail(shadow);
   return LoadedScene{std::move(uploaded), std::move(*shadow)};
 }

@@ -26,8 +26,9 @@ class Renderer {
   static Result<Renderer> Create(const Gl& gl, const Look& look = {});
 
   /// Memory beyond the GPU's own is bounded (VertexStream::kBlockBytes a kind).
+  /// `instead_of`: what is not drawn any more; what it took of the GPU is used again.
   /// errors  kGraphics  out of memory.
-  Result<LoadedScene> Load(const Scene& scene) const;
+  Result<LoadedScene> Load(const Scene& scene, std::optional<LoadedScene> instead_of = {}) const;
 
   /// Draws a tile of the camera's picture over pixels 0, 0 to tile.width, tile.height of
   /// `framebuffer`, whose colour must be GL_SRGB8_ALPHA8 without multisampling.

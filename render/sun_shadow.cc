@@ -34,10 +34,13 @@ ShadowLookup ShadowLookupFor(const Bounds& faces, const Look& look) {
 }
 
 Result<SunShadow> SunShadow::Create(const Gl& gl, const GlProgram& depth_program,
-                                    const GpuScene& scene, const Look& look) {
+                                    const GpuScene& scene, const Look& look,
+                                    std::optional<SunShadow> instead_of) {
   FramebufferSpec spec{look.shadow_side, look.shadow_side, 0, GL_DEPTH_COMPONENT24, 0, true};
-  Result<GlFramebuffer> map = GlFramebuffer::Create(gl, spec);
+  Result<GlFramebuffer> map =
+      instead_of ? std::move(instead_of->map_) : GlFramebuffer::Create(gl, spec);
   if (!map) return Fail(map);
+  map->Bind();
   ShadowLookup lookup = ShadowLookupFor(scene.face_bounds, look);
   lookup.texture = map->depth_texture();
   gl.Viewport(0, 0, spec.width, spec.height);

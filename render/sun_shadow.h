@@ -2,6 +2,8 @@
 // Where it falls is decided by the shaders (light.glsl).
 #pragma once
 
+#include <optional>
+
 #include "render/frame.h"
 #include "render/gl_framebuffer.h"
 #include "render/gpu_scene.h"
@@ -16,9 +18,12 @@ ShadowLookup ShadowLookupFor(const Bounds& faces, const Look& look);
 /// Used and destroyed while its context is current.
 class SunShadow {
  public:
+  /// `instead_of`: a shadow that is not needed any more, of the same look; its map is drawn over.
+  /// A map is 16 MiB, and llvmpipe may hold a deleted one for as long as it likes.
   /// errors  kGraphics.
   static Result<SunShadow> Create(const Gl& gl, const GlProgram& depth_program,
-                                  const GpuScene& scene, const Look& look);
+                                  const GpuScene& scene, const Look& look,
+                                  std::optional<SunShadow> instead_of = {});
   const ShadowLookup& lookup() const { return lookup_; }
 
  private:

@@ -31,36 +31,48 @@ size_t CountNodes(const std::vector<grammar::SelectionActionNode>& nodes) {
   return count;
 }
 
+}  // namespace
+
 /// What is done; the share of each in a hundred.
-struct Share {
+struct SoakMix::Share {
   int percent;
   void (SoakMix::*deed)(SoakTarget*);
 };
 
-}  // namespace
+const std::array<SoakMix::Share, 10> SoakMix::kShares = {{
+    {38, &SoakMix::DrawOnBuilding},
+    {6, &SoakMix::Scribble},
+    {33, &SoakMix::SoundCommand},
+    {6, &SoakMix::WrongCommand},
+    {5, &SoakMix::BrokenEvent},
+    {3, &SoakMix::Touch},
+    {5, &SoakMix::Look},
+    {1, &SoakMix::Resize},
+    {1, &SoakMix::Document},
+    {2, &SoakMix::Plug},
+}};
+
+void SoakMix::WarmUp(SoakTarget* target) {
+  constexpr int kTimes = 10;
+  for (int i = 0; i < kTimes; ++i) {
+    for (const Share& share : kShares) Do(share, target);
+  }
+}
 
 void SoakMix::Moment(SoakTarget* target) {
-  const std::array shares = {
-      Share{38, &SoakMix::DrawOnBuilding},
-      Share{6, &SoakMix::Scribble},
-      Share{33, &SoakMix::SoundCommand},
-      Share{6, &SoakMix::WrongCommand},
-      Share{5, &SoakMix::BrokenEvent},
-      Share{3, &SoakMix::Touch},
-      Share{5, &SoakMix::Look},
-      Share{1, &SoakMix::Resize},
-      Share{1, &SoakMix::Document},
-      Share{2, &SoakMix::Plug},
-  };
+  int at = Below(100);
+  for (const Share& share : kShares) {
+    at -= share.percent;
+    if (at < 0) return Do(share, target);
+  }
+}
+
+void SoakMix::Do(const Share& share, SoakTarget* target) {
   ++moments_;
   clock_s_ += random_.Uniform(1, 4);
   Tidy(target);
   if (device_ < 0) Plug(target);
-  int at = Below(100);
-  for (const Share& share : shares) {
-    at -= share.percent;
-    if (at < 0) return (this->*share.deed)(target);
-  }
+  (this->*share.deed)(target);
 }
 
 /// Keeps the building of a size that a person would work on.

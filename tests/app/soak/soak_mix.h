@@ -16,6 +16,9 @@ class SoakMix {
   /// `folder` takes the documents and exports that are written.
   SoakMix(uint64_t seed, std::string folder) : random_(seed), folder_(std::move(folder)) {}
 
+  /// Everything a few times: what is only made when it is first needed (shaders, caches) is there
+  /// afterwards.
+  void WarmUp(SoakTarget* target);
   /// What happens next; 1 to 4 s pass.
   void Moment(SoakTarget* target);
 
@@ -23,6 +26,10 @@ class SoakMix {
   int moments() const { return moments_; }
 
  private:
+  struct Share;
+  static const std::array<Share, 10> kShares;
+
+  void Do(const Share& share, SoakTarget* target);
   void Plug(SoakTarget* target);
   void DrawOnBuilding(SoakTarget* target);
   void Scribble(SoakTarget* target);
