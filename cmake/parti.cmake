@@ -35,9 +35,11 @@ function(parti_library name)
   target_link_libraries(parti_${name} PUBLIC parti_options ${ARGN})
 endfunction()
 
-# parti_test(FOLDER libraries…): tests/FOLDER/*_test.cc as one GoogleTest program.
+# parti_test(FOLDER libraries…): tests/FOLDER/*.cc and tests/FOLDER/*/*_test.cc as one GoogleTest
+# program.
 function(parti_test name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc
+    ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*_test.cc)
   if(NOT sources)
     return()
   endif()
