@@ -19,6 +19,12 @@ struct FreePattern {
 };
 using Pattern = std::unique_ptr<FcPattern, FreePattern>;
 
+struct FreeConfig {
+  void operator()(FcConfig* config) const { FcConfigDestroy(config); }
+};
+/// What is installed. Our own and not the library's, which it keeps until the program ends.
+using Config = std::unique_ptr<FcConfig, FreeConfig>;
+
 constexpr const char* kRemedy = "install the Debian package fonts-inter";
 
 std::string TextIn(FcPattern* pattern, const char* field) {
@@ -28,7 +34,7 @@ std::string TextIn(FcPattern* pattern, const char* field) {
 }
 
 /// What fontconfig holds for the nearest to the family in that weight.
-Pattern Match(const std::string& family, int weight) {
+Pattern Match(FcConfig* config, const std::string& family, int weight) {
   Pattern wanted(FcPatternCreate());
   const auto* name = reinterpret_cast<const FcChar8*>(family.c_str());
   FcPatternAddString(wanted.get(), FC_FAMILY, name);
@@ -37,10 +43,10 @@ Pattern Match(const std::string& family, int weight) {
   FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight);
   FcPatternAddInteger(wanted.get(), FC_SLANT, FC_SLANT_ROMAN);
   FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  FcConfigSubstitute(config, wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
-  return Pattern(FcFontMatch(nullptr, wanted.get(), &result));
+  return Pattern(FcFontMatch(config, wanted.get(), &result));
 }
 
 /// The bytes of a font that can be drawn; "" where there is none.
@@ -83,14 +89,16 @@ std::shared_ptr<const render::Image> PictureOf(ImFontAtlas* atlas) {
 }  // namespace
 
 Result<FontFiles> FindFont(const std::string& family) {
-  const Pattern regular = Match(family, FC_WEIGHT_REGULAR);
+  const Config config(FcInitLoadConfigAndFonts());
+  if (!config) return Fail(ErrorCode::kGraphics, "fontconfig does not start", kRemedy);
+  const Pattern regular = Match(config.get(), family, FC_WEIGHT_REGULAR);
   if (!regular) return Fail(ErrorCode::kGraphics, "no font is installed", kRemedy);
   FontFiles files{TextIn(regular.get(), FC_FAMILY), BytesOf(regular.get()), {}};
   if (files.regular.empty()) {
     return Fail(ErrorCode::kGraphics,
                 fmt::format("the font {} can't be used", TextIn(regular.get(), FC_FILE)), kRemedy);
   }
-  const Pattern strong = Match(files.family, FC_WEIGHT_DEMIBOLD);
+  const Pattern strong = Match(config.get(), files.family, FC_WEIGHT_DEMIBOLD);
   if (strong) files.strong = BytesOf(strong.get());
   if (files.strong.empty()) files.strong = files.regular;
   return files;
