@@ -1,11 +1,17 @@
 // What can be read off an item: its geometry made explicit, its faces, edges and triangles.
 #include "grammar/item.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "base/check.h"
 #include "grammar/item_make.h"
 
 namespace parti::grammar {
 namespace {
+
+/// Unit vectors whose dot product is larger look the same way.
+constexpr double kSameDirection = 1 - 1e-9;
 
 /// Corners of a scope's rectangle, counter-clockwise from its origin.
 void AddRectangle(const Scope& s, std::vector<Vec3>* corners) {
@@ -135,6 +141,43 @@ void AddFaceTriangles(const Item& volume, const MeshFace& face, std::vector<Vec3
   }
 }
 
+/// The same rectangle, looking the other way.
+Item Reversed(const Item& face) {
+  Item back = face;
+  back.scope.origin = face.scope.origin + face.scope.x * face.scope.size.x;
+  back.scope.x = -face.scope.x;
+  back.scope.z = -face.scope.z;
+  back.facing = -face.facing;
+  if (!face.polygon) return back;
+  Polygon polygon = *face.polygon;
+  const auto turn = [&](Ring* ring) {
+    for (Vec2& p : *ring) p.x = face.scope.size.x - p.x;
+    // The first edge stays the first.
+    std::reverse(ring->begin(), ring->end());
+    std::rotate(ring->begin(), ring->end() - 2, ring->end());
+  };
+  turn(&polygon.outer);
+  for (Ring& hole : polygon.holes) turn(&hole);
+  back.polygon = std::make_shared<const Polygon>(std::move(polygon));
+  return back;
+}
+
+/// What is seen of a niche whose solid has these faces: all but its mouth, from the other side.
+std::vector<Item> NicheFaces(const Item& niche, const std::vector<Item>& solid) {
+  double mouth = -std::numeric_limits<double>::infinity();
+  for (const Item& face : solid) {
+    mouth = std::max(mouth, glm::dot(face.scope.origin, niche.facing));
+  }
+  std::vector<Item> faces;
+  faces.reserve(solid.size());
+  for (const Item& face : solid) {
+    const bool open = glm::dot(face.facing, niche.facing) > kSameDirection &&
+                      glm::dot(face.scope.origin, niche.facing) > mouth - kLengthTolerance_m;
+    if (!open) faces.push_back(Reversed(face));
+  }
+  return faces;
+}
+
 double FaceArea(const Mesh& mesh, const MeshFace& face) {
   return Area(FaceFrame(mesh, face).PolygonOf(mesh, face));
 }
@@ -161,8 +204,12 @@ double AreaOf(const Item& item) {
   if (item.type == ItemType::kPlanar) {
     return item.polygon ? Area(*item.polygon) : size.x * size.y;
   }
-  if (!item.mesh) return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
   double area = 0;
+  if (item.hollow) {
+    for (const Item& face : FacesOf(item)) area += AreaOf(face);
+    return area;
+  }
+  if (!item.mesh) return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
   for (const MeshFace& face : item.mesh->faces) area += FaceArea(*item.mesh, face);
   return area;
 }
@@ -175,11 +222,14 @@ double VolumeOf(const Item& item) {
 
 std::vector<Item> FacesOf(const Item& item) {
   if (item.type == ItemType::kPlanar) return {item};
-  if (!item.mesh) return BoxFaces(item);
   std::vector<Item> faces;
-  faces.reserve(item.mesh->faces.size());
-  for (const MeshFace& face : item.mesh->faces) faces.push_back(FaceItem(item, face));
-  return faces;
+  if (item.mesh) {
+    faces.reserve(item.mesh->faces.size());
+    for (const MeshFace& face : item.mesh->faces) faces.push_back(FaceItem(item, face));
+  } else {
+    faces = BoxFaces(item);
+  }
+  return item.hollow ? NicheFaces(item, faces) : faces;
 }
 
 void EdgesOf(const Item& item, std::vector<Segment3>* edges) {
@@ -212,8 +262,8 @@ void TrianglesOf(const Item& item, std::vector<Vec3>* corners) {
     }
     return;
   }
-  if (!item.mesh) {
-    for (const Item& face : BoxFaces(item)) AddRectangleTriangles(face.scope, corners);
+  if (!item.mesh || item.hollow) {
+    for (const Item& face : FacesOf(item)) TrianglesOf(face, corners);
     return;
   }
   for (const MeshFace& face : item.mesh->faces) AddFaceTriangles(item, face, corners);

@@ -37,6 +37,9 @@ struct Item {
   /// Which way the street lies, clockwise from north, in degrees; what is made from a shape keeps
   /// it. Nothing: no street is known (front_edge.h).
   std::optional<float> street_deg;
+  /// Volume: a niche, drawn inward from a surface. It is open where it comes from, the side that
+  /// `facing` looks out of, and its faces are seen from within. Its space is that of the solid.
+  bool hollow = false;
 };
 
 /// A planar item from corners in the world (first the outline, then holes), in any winding; the
@@ -48,17 +51,17 @@ Result<Item> PlanarFrom(const std::vector<std::vector<Vec3>>& rings, const Vec3*
 Result<Item> BoxFrom(const Scope& scope);
 
 Polygon PolygonOf(const Item& planar);  ///< the rectangle made explicit
-Mesh MeshOf(const Item& volume);        ///< the box made explicit
+Mesh MeshOf(const Item& volume);        ///< the box made explicit; a niche's as if it were solid
 double AreaOf(const Item& item);        ///< planar: its area; volume: its surface's; m^2
 double VolumeOf(const Item& item);      ///< m^3; 0 for a planar item
 
 /// The faces of a volume as planar items in the world (a planar item gives itself), with outward
-/// normals; the first edge of each is its x axis.
+/// normals; the first edge of each is its x axis. A niche's look inward, and its mouth is none.
 std::vector<Item> FacesOf(const Item& item);
 /// Outline edges in the world, each once, in a fixed order.
 std::vector<Segment3> EdgesOf(const Item& item);
 void EdgesOf(const Item& item, std::vector<Segment3>* edges);  ///< appends
-/// Triangles in the world with outward winding: three corners each.
+/// Triangles of its faces in the world, wound as they look: three corners each.
 void TrianglesOf(const Item& item, std::vector<Vec3>* corners);
 
 }  // namespace parti::grammar

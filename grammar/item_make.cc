@@ -46,6 +46,7 @@ Item VolumeItem(const Scope& frame, Mesh mesh, const Item& parent) {
   item.facing = parent.facing;
   item.color_rgb = parent.color_rgb;
   item.street_deg = parent.street_deg;
+  item.hollow = parent.hollow;
   const Vec3& size = item.scope.size;
   if (Volume(mesh) >= kFull * size.x * size.y * size.z) return item;
   for (Vec3& p : mesh.points) p -= low;

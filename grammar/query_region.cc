@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kNear = kRegionTolerance_m;
 
-std::vector<Triangle> TrianglesOf(const Item& item) {
+/// Of its surface; a niche's is that of the space that it takes.
+std::vector<Triangle> TrianglesOf(Item item) {
+  item.hollow = false;
   std::vector<Vec3> corners;
   grammar::TrianglesOf(item, &corners);
   std::vector<Triangle> triangles;

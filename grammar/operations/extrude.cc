@@ -26,7 +26,9 @@ Item Extruded(const Item& base, double distance) {
     Mesh mesh = Prism(*base.polygon, std::abs(distance));
     for (Vec3& p : mesh.points) p = StandUp(p, drawn.size, standing);
     StartAtBottom(&mesh);
-    return VolumeItem(scope, std::move(mesh), base);
+    Item volume = VolumeItem(scope, std::move(mesh), base);
+    volume.hollow = distance < 0;
+    return volume;
   }
   Item box;
   box.type = ItemType::kVolume;
@@ -34,6 +36,7 @@ Item Extruded(const Item& base, double distance) {
   box.facing = base.facing;
   box.color_rgb = base.color_rgb;
   box.street_deg = base.street_deg;
+  box.hollow = distance < 0;
   return box;
 }
 
@@ -55,7 +58,7 @@ const std::array<Parameter, 1> kParameters = {{{
     .low = -1e4,
     .high = 1e4,
     .default_value = 3.0,
-    .doc = "along the outward normal; negative goes inward",
+    .doc = "along the outward normal; negative goes inward and leaves a niche",
 }}};
 
 }  // namespace

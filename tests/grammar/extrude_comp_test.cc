@@ -55,6 +55,41 @@ TEST(Extrude, AFacadeKeepsItsAxes) {
   EXPECT_THAT(niche.scope.origin, IsNear(facade.scope.origin - facade.scope.z * 1.5));
 }
 
+TEST(Extrude, InwardFromAFacadeIsANicheThatIsOpenToTheStreet) {
+  const Item facade = FaceOf(MassOn("0,0 10,0 10,8 0,8", 6), Kind::kFront);
+  const Item niche = Apply(Extrude(-1.5), facade)->front().item;
+  const auto faces = FacesOf(niche);
+  ASSERT_EQ(faces.size(), 5u);
+  for (const Item& face : faces) {
+    const Vec3 inside = niche.scope.ToWorld(niche.scope.size * 0.5);
+    EXPECT_GT(glm::dot(face.facing, inside - face.scope.origin), 0) << "it looks inward";
+    EXPECT_THAT(glm::cross(face.scope.z, face.scope.x), IsNear(face.scope.y));
+  }
+  const Item back = FaceOf(niche, Kind::kFront);
+  EXPECT_THAT(back.facing, IsNear(facade.facing));
+  EXPECT_THAT(back.scope.origin + back.scope.z * 1.5 - facade.scope.origin, IsNear(Vec3(0, 0, 0)));
+  EXPECT_NEAR(AreaOf(niche), 10 * 6 + 2 * 1.5 * (10 + 6), 1e-9);
+  EXPECT_NEAR(VolumeOf(niche), 90, 1e-9);
+}
+
+TEST(Extrude, ANicheOfAnyOutlineLosesItsMouthAndNothingElse) {
+  const auto court = LotFrom({RingFrom("0,0 20,0 20,20 0,20"), RingFrom("8,8 12,8 12,12 8,12")});
+  const Item moat = Apply(Extrude(-2), *court)->front().item;
+  EXPECT_NEAR(AreaOf(moat), 400 - 16 + 2 * (80 + 16), 1e-6);
+  const Item floor = FaceOf(moat, Kind::kTop);
+  EXPECT_NEAR(AreaOf(floor), 384, 1e-6);
+  EXPECT_NEAR(floor.scope.origin.y, -2, 1e-9);
+  std::vector<Vec3> corners;
+  TrianglesOf(moat, &corners);
+  double area = 0;
+  for (size_t i = 0; i < corners.size(); i += 3) {
+    const Vec3 n = glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
+    EXPECT_GT(n.y, -1e-9) << "nothing looks down";
+    area += glm::length(n) / 2;
+  }
+  EXPECT_NEAR(area, AreaOf(moat), 1e-6);
+}
+
 TEST(Extrude, AnUprightShapeOnItsSideStandsUpToo) {
   // The first edge runs upward: it can't stay x.
   const auto sign = PlanarFrom({{Vec3(0, 0, 0), Vec3(0, 4, 0), Vec3(-3, 4, 0), Vec3(-3, 0, 0)}});
