@@ -76,7 +76,8 @@ struct Successor {
   bool operator==(const Successor&) const;
 };
 
-using Argument = std::variant<double, bool, Axis, std::string>;
+/// A number, a switch, an axis, a text or word, or a size (metres, or '0.5 of the scope's size).
+using Argument = std::variant<double, bool, Axis, std::string, Size>;
 
 /// An operation with its arguments and what it makes: a value that text, panels and sketches share.
 struct Action {

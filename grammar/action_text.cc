@@ -95,28 +95,16 @@ std::optional<Argument> ArgumentFrom(const Written& written, ParameterKind kind)
       if (!written.is_word()) return std::nullopt;
       // The thesis writes comp(face, side) (errata 8).
       return Argument(written.token.text == "face" ? "f" : written.token.text);
+    case ParameterKind::kBool:
+      if (written.token.kind != Token::Kind::kName) return std::nullopt;
+      if (written.token.text == "true") return Argument(true);
+      if (written.token.text == "false") return Argument(false);
+      return std::nullopt;
+    case ParameterKind::kSize:
+      if (!written.size || written.size->kind == Size::Kind::kFloating) return std::nullopt;
+      return Argument(*written.size);
   }
   return std::nullopt;
-}
-
-std::string_view Wanted(ParameterKind kind) {
-  switch (kind) {
-    case ParameterKind::kLength:
-      return "a length in metres";
-    case ParameterKind::kAngle:
-      return "an angle in degrees";
-    case ParameterKind::kFactor:
-      return "a number";
-    case ParameterKind::kAxis:
-      return "an axis: x, y or z";
-    case ParameterKind::kText:
-      return "a text in quotes";
-    case ParameterKind::kColor:
-      return R"(a color: "#rrggbb")";
-    case ParameterKind::kWord:
-      break;
-  }
-  return "a word";
 }
 
 /// "extrude(distance)"
@@ -403,6 +391,7 @@ std::string TextOf(const Argument& argument, ParameterKind kind) {
   if (const double* number = std::get_if<double>(&argument)) return NumberText(*number);
   if (const bool* yes = std::get_if<bool>(&argument)) return *yes ? "true" : "false";
   if (const Axis* axis = std::get_if<Axis>(&argument)) return std::string(NameOf(*axis));
+  if (const Size* size = std::get_if<Size>(&argument)) return grammar::TextOf(*size);
   const std::string& text = std::get<std::string>(argument);
   // comp(f) is a word of the language; tag("x") is the user's.
   return kind == ParameterKind::kWord ? NameText(text) : QuotedText(text);

@@ -13,8 +13,20 @@ namespace parti::grammar {
 
 /// How an argument is written and stored: kLength (m), kAngle (degrees) and kFactor are numbers
 /// (double); kAxis is x, y or z (Axis); kText is text in quotes (std::string); kColor is "#rrggbb"
-/// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f.
-enum class ParameterKind : uint8_t { kLength, kAngle, kFactor, kAxis, kText, kColor, kWord };
+/// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f;
+/// kBool is true or false (bool); kSize is a length, absolute or relative to a size of the item's
+/// scope: 3 or '0.5 (Size, never floating; low and high bound the metres).
+enum class ParameterKind : uint8_t {
+  kLength,
+  kAngle,
+  kFactor,
+  kAxis,
+  kText,
+  kColor,
+  kWord,
+  kBool,
+  kSize
+};
 
 /// What an operation wants to be told: one argument of it. Those that are not required may be left
 /// out from the end; a word that is not required, also before others, as no number is a word:
@@ -76,6 +88,11 @@ Action Default(const Operation& operation);
 /// Arguments' number, kinds and ranges, braces and keys against the row.
 /// errors  kBadArguments, kBadNumber  naming the operation, and the argument or successor.
 Result<void> Check(const Action& action);
+/// One argument against its parameter. errors  as Check's.
+Result<void> CheckArgument(const Operation& row, const Parameter& parameter,
+                           const Argument& argument);
+/// "a length in metres": what a parameter of this kind wants to be told.
+std::string_view Wanted(ParameterKind kind);
 
 /// Check, the item's type, apply.
 /// errors  those of Check and apply; kWrongItemType  names operation and type.

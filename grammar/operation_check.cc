@@ -14,11 +14,20 @@ constexpr double kLargestSize_m = 1e9;
 
 std::string_view Name(const Action& action) { return action.operation->name; }
 
-Result<void> CheckNumber(const Action& action, const Parameter& parameter, double value) {
+Result<void> CheckNumber(const Operation& row, const Parameter& parameter, double value) {
   if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return {};
   return Fail(ErrorCode::kBadNumber,
-              fmt::format("{}: {} is {:.6g}", Name(action), parameter.name, value),
+              fmt::format("{}: {} is {:.6g}", row.name, parameter.name, value),
               fmt::format("give a number from {:.6g} to {:.6g}", parameter.low, parameter.high));
+}
+
+/// Of relative sizes only that they are numbers: what they come to depends on the item.
+Result<void> CheckSize(const Operation& row, const Parameter& parameter, const Size& size) {
+  if (size.kind == Size::Kind::kAbsolute) return CheckNumber(row, parameter, size.value);
+  if (size.kind == Size::Kind::kRelative && std::isfinite(size.value)) return {};
+  return Fail(ErrorCode::kBadNumber,
+              fmt::format("{}: {} is neither metres nor a part", row.name, parameter.name),
+              "write 3 or '0.5");
 }
 
 bool IsColor(std::string_view text) {
@@ -28,10 +37,10 @@ bool IsColor(std::string_view text) {
   return text.size() == 7 && text[0] == '#' && std::all_of(text.begin() + 1, text.end(), is_digit);
 }
 
-Result<void> CheckText(const Action& action, const Parameter& parameter, std::string_view text) {
+Result<void> CheckText(const Operation& row, const Parameter& parameter, std::string_view text) {
   const auto fail = [&](std::string hint) {
     return Fail(ErrorCode::kBadArguments,
-                fmt::format("{}: {} is '{}'", Name(action), parameter.name, text), std::move(hint));
+                fmt::format("{}: {} is '{}'", row.name, parameter.name, text), std::move(hint));
   };
   if (parameter.kind == ParameterKind::kColor && !IsColor(text)) {
     return fail("give a color as \"#rrggbb\"");
@@ -44,43 +53,14 @@ Result<void> CheckText(const Action& action, const Parameter& parameter, std::st
   return {};
 }
 
-std::string_view Wanted(ParameterKind kind) {
-  switch (kind) {
-    case ParameterKind::kLength:
-      return "a length in metres";
-    case ParameterKind::kAngle:
-      return "an angle in degrees";
-    case ParameterKind::kFactor:
-      return "a number";
-    case ParameterKind::kAxis:
-      return "an axis, x, y or z";
-    case ParameterKind::kText:
-      return "a text in quotes";
-    case ParameterKind::kColor:
-      return "a color as \"#rrggbb\"";
-    case ParameterKind::kWord:
-      return "a word";
-  }
-  return "";
+bool IsNumber(ParameterKind kind) {
+  return kind == ParameterKind::kLength || kind == ParameterKind::kAngle ||
+         kind == ParameterKind::kFactor;
 }
 
-Result<void> CheckArgument(const Action& action, size_t i) {
-  const Parameter& parameter = action.operation->parameters[i];
-  const Argument& argument = action.arguments[i];
-  const bool is_number = parameter.kind == ParameterKind::kLength ||
-                         parameter.kind == ParameterKind::kAngle ||
-                         parameter.kind == ParameterKind::kFactor;
-  if (is_number && std::holds_alternative<double>(argument)) {
-    return CheckNumber(action, parameter, std::get<double>(argument));
-  }
-  if (parameter.kind == ParameterKind::kAxis && std::holds_alternative<Axis>(argument)) return {};
-  const bool is_text = !is_number && parameter.kind != ParameterKind::kAxis;
-  if (is_text && std::holds_alternative<std::string>(argument)) {
-    return CheckText(action, parameter, std::get<std::string>(argument));
-  }
-  return Fail(ErrorCode::kBadArguments,
-              fmt::format("{}: {} is of another kind", Name(action), parameter.name),
-              fmt::format("give {}", Wanted(parameter.kind)));
+bool IsText(ParameterKind kind) {
+  return kind == ParameterKind::kText || kind == ParameterKind::kColor ||
+         kind == ParameterKind::kWord;
 }
 
 Result<void> CheckArguments(const Action& action) {
@@ -91,12 +71,16 @@ Result<void> CheckArguments(const Action& action) {
                             wanted == 1 ? "" : "s", action.arguments.size()));
   }
   for (size_t i = 0; i < wanted; ++i) {
-    if (auto good = CheckArgument(action, i); !good) return good;
+    if (auto good =
+            CheckArgument(*action.operation, action.operation->parameters[i], action.arguments[i]);
+        !good) {
+      return good;
+    }
   }
   return {};
 }
 
-Result<void> CheckSize(const Action& action, const Successor& successor) {
+Result<void> CheckKey(const Action& action, const Successor& successor) {
   const Size* size = std::get_if<Size>(&successor.key);
   if (size == nullptr) {
     return Fail(ErrorCode::kBadArguments,
@@ -151,7 +135,7 @@ Result<void> CheckSizes(const Action& action, std::span<const Successor> list, i
                 fmt::format("{}: repeat groups more than {} deep", Name(action), kDeepestRepeat));
   }
   for (const Successor& s : list) {
-    auto good = s.repeat.empty() ? CheckSize(action, s) : CheckSizes(action, s.repeat, depth + 1);
+    auto good = s.repeat.empty() ? CheckKey(action, s) : CheckSizes(action, s.repeat, depth + 1);
     if (!good) return good;
     if (auto leaf = CheckLeaf(action, s); !leaf) return leaf;
   }
@@ -178,6 +162,49 @@ Result<void> CheckBraces(const Action& action) {
 }
 
 }  // namespace
+
+std::string_view Wanted(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kLength:
+      return "a length in metres";
+    case ParameterKind::kAngle:
+      return "an angle in degrees";
+    case ParameterKind::kFactor:
+      return "a number";
+    case ParameterKind::kAxis:
+      return "an axis: x, y or z";
+    case ParameterKind::kText:
+      return "a text in quotes";
+    case ParameterKind::kColor:
+      return R"(a color: "#rrggbb")";
+    case ParameterKind::kWord:
+      return "a word";
+    case ParameterKind::kBool:
+      return "true or false";
+    case ParameterKind::kSize:
+      break;
+  }
+  return "a length in metres, or a part as in '0.5";
+}
+
+Result<void> CheckArgument(const Operation& row, const Parameter& parameter,
+                           const Argument& argument) {
+  const ParameterKind kind = parameter.kind;
+  if (const double* number = std::get_if<double>(&argument); number && IsNumber(kind)) {
+    return CheckNumber(row, parameter, *number);
+  }
+  if (const Size* size = std::get_if<Size>(&argument); size && kind == ParameterKind::kSize) {
+    return CheckSize(row, parameter, *size);
+  }
+  if (const auto* text = std::get_if<std::string>(&argument); text && IsText(kind)) {
+    return CheckText(row, parameter, *text);
+  }
+  if (kind == ParameterKind::kAxis && std::holds_alternative<Axis>(argument)) return {};
+  if (kind == ParameterKind::kBool && std::holds_alternative<bool>(argument)) return {};
+  return Fail(ErrorCode::kBadArguments,
+              fmt::format("{}: {} is of another kind", row.name, parameter.name),
+              fmt::format("give {}", Wanted(kind)));
+}
 
 Result<void> Check(const Action& action) {
   if (action.operation == nullptr) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "grammar/action_text.h"
 #include "grammar/operation.h"
 
 namespace parti::grammar {
@@ -33,6 +34,10 @@ std::string RangeText(const Parameter& p) {
       return "\"#rrggbb\"";
     case ParameterKind::kWord:
       return fmt::format("{}", fmt::join(p.words, ", "));
+    case ParameterKind::kBool:
+      return "true, false";
+    case ParameterKind::kSize:
+      return fmt::format("{:g} to {:g} m, or a part as '0.5", p.low, p.high);
   }
   return "";
 }
@@ -41,6 +46,7 @@ std::string DefaultText(const Argument& argument) {
   if (const double* number = std::get_if<double>(&argument)) return fmt::format("{:g}", *number);
   if (const Axis* axis = std::get_if<Axis>(&argument)) return std::string(NameOf(*axis));
   if (const auto* text = std::get_if<std::string>(&argument)) return *text;
+  if (const Size* size = std::get_if<Size>(&argument)) return TextOf(*size);
   return std::get<bool>(argument) ? "true" : "false";
 }
 

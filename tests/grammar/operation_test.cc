@@ -57,6 +57,25 @@ TEST(OperationTable, DefaultHasOneArgumentPerParameter) {
   }
 }
 
+TEST(CheckArgument, KnowsSwitchesAndSizes) {
+  const Operation& row = *FindOperation("extrude");
+  const Parameter on{.name = "on", .kind = ParameterKind::kBool, .default_value = true, .doc = ""};
+  EXPECT_TRUE(CheckArgument(row, on, false));
+  EXPECT_FALSE(CheckArgument(row, on, 1.0));
+  const Parameter move{.name = "x",
+                       .kind = ParameterKind::kSize,
+                       .low = -10,
+                       .high = 10,
+                       .default_value = Size{},
+                       .doc = ""};
+  EXPECT_TRUE(CheckArgument(row, move, Size{Size::Kind::kRelative, 30}));
+  EXPECT_TRUE(CheckArgument(row, move, Size{Size::Kind::kAbsolute, -3}));
+  EXPECT_FALSE(CheckArgument(row, move, Size{Size::Kind::kAbsolute, 30}));
+  EXPECT_FALSE(CheckArgument(row, move, Size{Size::Kind::kRelative, kNaN}));
+  EXPECT_FALSE(CheckArgument(row, move, Size{Size::Kind::kFloating, 1}));
+  EXPECT_FALSE(CheckArgument(row, move, 3.0));
+}
+
 TEST(Check, RefusesWrongArguments) {
   EXPECT_EQ(CodeOf(Action{}), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("extrude", {})), ErrorCode::kBadArguments);
