@@ -2,9 +2,13 @@
 #include "grammar/item.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/check.h"
+#include "grammar/face_frame.h"
+#include "grammar/item_edges.h"
 #include "grammar/item_make.h"
 
 namespace parti::grammar {
@@ -27,8 +31,7 @@ Item RectangleOf(const Item& parent, const Vec3& origin, const Vec3& x, const Ve
   face.type = ItemType::kPlanar;
   face.scope = {origin, x, glm::cross(normal, x), normal, Vec3(width, height, 0)};
   face.facing = normal;
-  face.color_rgb = parent.color_rgb;
-  face.street_deg = parent.street_deg;
+  Inherit(parent, &face);
   return face;
 }
 
@@ -48,36 +51,34 @@ std::vector<Item> BoxFaces(const Item& box) {
   return faces;
 }
 
-/// A face's plane in the coordinates of its mesh, x along its first edge.
-struct FaceFrame {
-  Vec3 origin, x, y, normal;
-
-  FaceFrame(const Mesh& mesh, const MeshFace& face)
-      : origin(mesh.points[face.loop[0]]), normal(Normal(mesh, face)) {
-    const Vec3 edge = mesh.points[face.loop[1]] - origin;
-    x = glm::normalize(edge - normal * glm::dot(edge, normal));
-    y = glm::cross(normal, x);
+/// The mesh of a volume in its scope's coordinates: the item's own, or made of a unit mesh.
+class ScopedMesh {
+ public:
+  explicit ScopedMesh(const Item& volume) : mesh_(volume.mesh.get()) {
+    if (!volume.mesh_is_unit) return;
+    made_ = Rescaled(*mesh_, Vec3(0, 0, 0), volume.scope.size);
+    mesh_ = &made_;
   }
+  ScopedMesh(const ScopedMesh&) = delete;
+  ScopedMesh& operator=(const ScopedMesh&) = delete;
+  const Mesh& operator*() const { return *mesh_; }
 
-  Ring RingOf(const Mesh& mesh, const std::vector<uint32_t>& loop) const {
-    Ring ring;
-    ring.reserve(loop.size());
-    for (const uint32_t i : loop) {
-      const Vec3 d = mesh.points[i] - origin;
-      ring.emplace_back(glm::dot(d, x), glm::dot(d, y));
-    }
-    return ring;
-  }
-
-  Polygon PolygonOf(const Mesh& mesh, const MeshFace& face) const {
-    Polygon polygon{RingOf(mesh, face.loop), {}};
-    for (const auto& hole : face.holes) polygon.holes.push_back(RingOf(mesh, hole));
-    return polygon;
-  }
+ private:
+  const Mesh* mesh_;
+  Mesh made_;
 };
 
-Item FaceItem(const Item& volume, const MeshFace& face) {
-  const FaceFrame frame(*volume.mesh, face);
+/// What a face of a mesh wears as an item of its own.
+std::shared_ptr<const Paint> PaintOf(const Item& volume, const Mesh& mesh, const MeshFace& face) {
+  if (face.paint == 0) return volume.paint;
+  Paint paint = mesh.paints[face.paint - 1];
+  const Scope& s = volume.scope;
+  if (paint.map) paint.map = InFrame(*paint.map, s.origin, s.x, s.y, s.z);
+  return std::make_shared<const Paint>(std::move(paint));
+}
+
+Item FaceItem(const Item& volume, const Mesh& mesh, const MeshFace& face) {
+  const FaceFrame frame(mesh, face);
   const Scope& s = volume.scope;
   const auto turn = [&](const Vec3& v) { return s.x * v.x + s.y * v.y + s.z * v.z; };
   Scope scope;
@@ -85,7 +86,9 @@ Item FaceItem(const Item& volume, const MeshFace& face) {
   scope.x = turn(frame.x);
   scope.y = turn(frame.y);
   scope.z = turn(frame.normal);
-  return PlanarItem(scope, frame.PolygonOf(*volume.mesh, face), volume);
+  Item item = PlanarItem(scope, frame.PolygonOf(mesh, face), volume);
+  item.paint = PaintOf(volume, mesh, face);
+  return item;
 }
 
 void AddRingEdges(const Scope& s, const Ring& ring, std::vector<Segment3>* edges) {
@@ -122,6 +125,18 @@ void AddMeshEdges(const Item& volume, const std::vector<uint32_t>& loop,
   }
 }
 
+/// Edges of assets are drawn where they bend by more than this, or end: they are mostly triangles,
+/// and often round.
+constexpr double kCrease_deg = 30;
+
+void AddCreases(const Item& volume, std::vector<Segment3>* edges) {
+  const double flat = std::cos(Angle::Degrees(kCrease_deg).radians());
+  for (const ItemEdge& edge : ItemEdgesOf(volume)) {
+    if (edge.faces == 2 && glm::dot(edge.normal, edge.other) > flat) continue;
+    edges->push_back({edge.a, edge.b});
+  }
+}
+
 void AddQuadTriangles(const std::vector<Vec3>& q, std::vector<Vec3>* corners) {
   corners->insert(corners->end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
 }
@@ -132,12 +147,17 @@ void AddRectangleTriangles(const Scope& scope, std::vector<Vec3>* corners) {
   AddQuadTriangles(quad, corners);
 }
 
-void AddFaceTriangles(const Item& volume, const MeshFace& face, std::vector<Vec3>* corners) {
+void AddFaceTriangles(const Scope& scope, const Mesh& mesh, const MeshFace& face,
+                      std::vector<Vec3>* corners) {
+  if (face.loop.size() == 3 && face.holes.empty()) {
+    for (const uint32_t i : face.loop) corners->push_back(scope.ToWorld(mesh.points[i]));
+    return;
+  }
   std::vector<uint32_t> numbers = face.loop;
   for (const auto& hole : face.holes) numbers.insert(numbers.end(), hole.begin(), hole.end());
-  const FaceFrame frame(*volume.mesh, face);
-  for (const uint32_t i : Triangulate(frame.PolygonOf(*volume.mesh, face))) {
-    corners->push_back(volume.scope.ToWorld(volume.mesh->points[numbers[i]]));
+  const FaceFrame frame(mesh, face);
+  for (const uint32_t i : Triangulate(frame.PolygonOf(mesh, face))) {
+    corners->push_back(scope.ToWorld(mesh.points[numbers[i]]));
   }
 }
 
@@ -196,7 +216,7 @@ Polygon PolygonOf(const Item& planar) {
 
 Mesh MeshOf(const Item& volume) {
   CHECK(volume.type == ItemType::kVolume, "only a volume is a mesh");
-  return volume.mesh ? *volume.mesh : BoxMesh(volume.scope.size);
+  return volume.mesh ? *ScopedMesh(volume) : BoxMesh(volume.scope.size);
 }
 
 double AreaOf(const Item& item) {
@@ -210,14 +230,17 @@ double AreaOf(const Item& item) {
     return area;
   }
   if (!item.mesh) return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
-  for (const MeshFace& face : item.mesh->faces) area += FaceArea(*item.mesh, face);
+  const ScopedMesh mesh(item);
+  for (const MeshFace& face : (*mesh).faces) area += FaceArea(*mesh, face);
   return area;
 }
 
 double VolumeOf(const Item& item) {
   if (item.type == ItemType::kPlanar) return 0;
   const Vec3& size = item.scope.size;
-  return item.mesh ? Volume(*item.mesh) : size.x * size.y * size.z;
+  const double box = size.x * size.y * size.z;
+  if (!item.mesh) return box;
+  return item.mesh_is_unit ? Volume(*item.mesh) * box : Volume(*item.mesh);
 }
 
 std::vector<Item> FacesOf(const Item& item) {
@@ -225,7 +248,10 @@ std::vector<Item> FacesOf(const Item& item) {
   std::vector<Item> faces;
   if (item.mesh) {
     faces.reserve(item.mesh->faces.size());
-    for (const MeshFace& face : item.mesh->faces) faces.push_back(FaceItem(item, face));
+    const ScopedMesh mesh(item);
+    for (const MeshFace& face : (*mesh).faces) {
+      if (HasFrame(*mesh, face)) faces.push_back(FaceItem(item, *mesh, face));
+    }
   } else {
     faces = BoxFaces(item);
   }
@@ -240,6 +266,7 @@ void EdgesOf(const Item& item, std::vector<Segment3>* edges) {
     return;
   }
   if (!item.mesh) return AddBoxEdges(item.scope, edges);
+  if (item.mesh_is_unit || !item.mesh->closed) return AddCreases(item, edges);
   for (const MeshFace& face : item.mesh->faces) {
     AddMeshEdges(item, face.loop, edges);
     for (const auto& hole : face.holes) AddMeshEdges(item, hole, edges);
@@ -266,7 +293,10 @@ void TrianglesOf(const Item& item, std::vector<Vec3>* corners) {
     for (const Item& face : FacesOf(item)) TrianglesOf(face, corners);
     return;
   }
-  for (const MeshFace& face : item.mesh->faces) AddFaceTriangles(item, face, corners);
+  const ScopedMesh mesh(item);
+  for (const MeshFace& face : (*mesh).faces) {
+    if (HasFrame(*mesh, face)) AddFaceTriangles(item.scope, *mesh, face, corners);
+  }
 }
 
 }  // namespace parti::grammar

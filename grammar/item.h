@@ -33,7 +33,13 @@ struct Item {
   std::shared_ptr<const Polygon> polygon;  ///< planar, in scope x and y; null: the rectangle
   std::shared_ptr<const Mesh> mesh;        ///< volume, in scope coordinates; null: the box
   Vec3 facing{0, 0, 0};  ///< unit outward normal; a volume keeps its origin's; 0: none (errata 10)
-  uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given
+  uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given; else it goes before that of any paint
+  /// The mesh fills [0, 1] in each axis and is stretched to the scope's size, whatever that is:
+  /// assets and primitives, which thousands of items share.
+  bool mesh_is_unit = false;
+  std::shared_ptr<const Paint> paint;  ///< material and texture; null: plain
+  /// The middle of the scope before t, r, s first changed it: where center leads back to.
+  std::optional<Vec3> anchor;
   /// Which way the street lies, clockwise from north, in degrees; what is made from a shape keeps
   /// it. Nothing: no street is known (front_edge.h).
   std::optional<float> street_deg;

@@ -12,6 +12,12 @@ constexpr double kSameRise = 1e-6;
 
 }  // namespace
 
+void Inherit(const Item& parent, Item* item) {
+  item->color_rgb = parent.color_rgb;
+  item->paint = parent.paint;
+  item->street_deg = parent.street_deg;
+}
+
 Item PlanarItem(const Scope& frame, Polygon polygon, const Item& parent) {
   const Box2 box = Bounds(polygon);
   const Vec2 size = box.high - box.low;
@@ -21,8 +27,7 @@ Item PlanarItem(const Scope& frame, Polygon polygon, const Item& parent) {
   item.scope.origin = frame.ToWorld(Vec3(box.low.x, box.low.y, 0));
   item.scope.size = Vec3(size.x, size.y, 0);
   item.facing = frame.z;
-  item.color_rgb = parent.color_rgb;
-  item.street_deg = parent.street_deg;
+  Inherit(parent, &item);
   if (Area(polygon) >= kFull * size.x * size.y) return item;
   for (Vec2& p : polygon.outer) p -= box.low;
   for (Ring& hole : polygon.holes) {
@@ -44,12 +49,15 @@ Item VolumeItem(const Scope& frame, Mesh mesh, const Item& parent) {
   item.scope.origin = frame.ToWorld(low);
   item.scope.size = high - low;
   item.facing = parent.facing;
-  item.color_rgb = parent.color_rgb;
-  item.street_deg = parent.street_deg;
+  Inherit(parent, &item);
   item.hollow = parent.hollow;
   const Vec3& size = item.scope.size;
-  if (Volume(mesh) >= kFull * size.x * size.y * size.z) return item;
+  const bool is_box = mesh.closed && Volume(mesh) >= kFull * size.x * size.y * size.z;
+  if (is_box && mesh.paints.empty()) return item;
   for (Vec3& p : mesh.points) p -= low;
+  for (Paint& paint : mesh.paints) {
+    if (paint.map) paint.map = Rescaled(*paint.map, low, Vec3(1, 1, 1));
+  }
   item.mesh = std::make_shared<const Mesh>(std::move(mesh));
   return item;
 }

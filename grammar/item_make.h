@@ -6,10 +6,13 @@
 
 namespace parti::grammar {
 
-/// A planar item with the axes of `frame` from a polygon in its coordinates. Color from `parent`.
+/// What everything keeps that is made of `parent`: color, paint, street.
+void Inherit(const Item& parent, Item* item);
+
+/// A planar item with the axes of `frame` from a polygon in its coordinates, heir to `parent`.
 Item PlanarItem(const Scope& frame, Polygon polygon, const Item& parent);
 /// A volume with the axes of `frame`, whose y must be its axis nearest to the world's up, from a
-/// mesh in its coordinates. Facing and color from `parent`.
+/// mesh in its coordinates. Facing from `parent`, heir to it, too.
 Item VolumeItem(const Scope& frame, Mesh mesh, const Item& parent);
 
 /// How the axes of a box are named anew so that it stands: axis i was axis source[i], run backwards

@@ -94,7 +94,7 @@ Vec3 Normal(const Mesh& mesh, const MeshFace& face) {
 }
 
 double Volume(const Mesh& mesh) {
-  if (mesh.points.empty()) return 0;
+  if (mesh.points.empty() || !mesh.closed) return 0;
   double volume = 0;
   for (const MeshFace& face : mesh.faces) {
     volume += ConeVolume(mesh.points, face.loop, mesh.points[0]);

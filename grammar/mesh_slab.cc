@@ -3,7 +3,7 @@
 // As in polygon_slab.cc, corners on the cut count as outside, and each face is cut on its own into
 // chains that are joined along the cut. New points are made once per mesh edge, so that neighbours
 // share them and the mesh stays closed. What a face gained along the cut, run backwards, is the
-// border of the cap.
+// border of the cap. Open meshes get no caps: what a face gained bounds nothing there.
 #include <algorithm>
 #include <cstdint>
 #include <unordered_map>
@@ -55,7 +55,7 @@ std::vector<MeshFace> FacesFrom(const std::vector<Vec3>& points, const Vec3& nor
                                 std::vector<Loop> outlines, std::vector<Loop> holes) {
   std::vector<MeshFace> faces;
   faces.reserve(outlines.size());
-  for (Loop& outline : outlines) faces.push_back({std::move(outline), {}});
+  for (Loop& outline : outlines) faces.push_back({std::move(outline), {}, 0});
   if (holes.empty()) return faces;
   if (faces.size() == 1) {
     faces[0].holes = std::move(holes);
@@ -78,8 +78,10 @@ class Clip {
       : mesh_(mesh), cut_(cut), tolerance_(tolerance), kept_(mesh.points.size(), kNone) {}
 
   Mesh Run() {
+    result_.paints = mesh_.paints;
+    result_.closed = mesh_.closed;
     for (const MeshFace& face : mesh_.faces) CutFace(face);
-    AddCaps();
+    if (mesh_.closed) AddCaps();
     return std::move(result_);
   }
 
@@ -184,6 +186,7 @@ class Clip {
     if (outlines.empty()) return;
     for (MeshFace& part :
          FacesFrom(result_.points, Normal(mesh_, face), std::move(outlines), std::move(holes))) {
+      part.paint = face.paint;
       result_.faces.push_back(std::move(part));
     }
   }

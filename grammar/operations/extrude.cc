@@ -34,8 +34,7 @@ Item Extruded(const Item& base, double distance) {
   box.type = ItemType::kVolume;
   box.scope = scope;
   box.facing = base.facing;
-  box.color_rgb = base.color_rgb;
-  box.street_deg = base.street_deg;
+  Inherit(base, &box);
   box.hollow = distance < 0;
   return box;
 }

@@ -18,11 +18,21 @@ int AxisIn(const Item& item, Axis named) {
   return std::abs(item.scope.z.y) >= kFlat - 1e-9 ? 1 : -1;
 }
 
+/// The same item with its mesh in the scope's coordinates, where it has one.
+Item WithOwnMesh(Item item) {
+  if (!item.mesh_is_unit) return item;
+  item.mesh = std::make_shared<const Mesh>(MeshOf(item));
+  item.mesh_is_unit = false;
+  return item;
+}
+
 /// The part of a rectangle or box: the same axes, a stretch of one of them.
 Item Stretch(const Item& whole, int axis, const SplitPiece& piece) {
   Item part = whole;
   part.scope.origin += whole.scope.axis(axis) * piece.low;
   part.scope.size[axis] = piece.high - piece.low;
+  if (part.type == ItemType::kPlanar) part.scope.size.z = 0;
+  part.anchor.reset();
   return part;
 }
 
@@ -52,10 +62,11 @@ Result<std::vector<Product>> Cut(const Item& item, const Action& action, Resolve
   pieces.reserve(action.successors.size());
   const auto resolved = resolve(action.successors, item.scope.size[axis], &pieces);
   if (!resolved) return Fail(resolved);
+  const Item whole = WithOwnMesh(item);
   std::vector<Product> products;
   products.reserve(pieces.size());
   for (const SplitPiece& piece : pieces) {
-    if (!piece.nil) AddParts(item, axis, piece, &products);
+    if (!piece.nil) AddParts(whole, axis, piece, &products);
   }
   return products;
 }
