@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 20> kSelectorNames = {
 // Written out: clang 16 crashes on defaulted comparisons of types that contain each other.
 bool Successor::operator==(const Successor& other) const {
   return key == other.key && actions == other.actions && symbol == other.symbol &&
-         repeat == other.repeat;
+         deferred == other.deferred && repeat == other.repeat;
 }
 
 bool Action::operator==(const Action& other) const {

@@ -66,12 +66,16 @@ std::optional<Selector::Kind> SelectorNamed(std::string_view name);
 
 struct Action;
 
-/// One alternative in the braces. A split's has a size, comp's and offset's a selector.
-/// `repeat` not empty: "{ … }*", a group that repeats; key, symbol and actions are then unused.
+/// What stands before a successor: a size (split), a selector (comp, offset), a name (layers).
+using SuccessorKey = std::variant<std::monostate, Size, Selector, std::string>;
+
+/// One alternative in the braces. A split's has a size, comp's and offset's a selector, layers' the
+/// name of its layer. `repeat` not empty: "{ … }*", a group that repeats; all else is then unused.
 struct Successor {
-  std::variant<std::monostate, Size, Selector> key;
+  SuccessorKey key;
   std::vector<Action> actions;  ///< in place, before the symbol: 4: tag("x") Ground
   std::string symbol;           ///< "" none; "NIL" makes nothing
+  bool deferred = false;        ///< "@Symbol": derived after the next normalisation (4.3.3)
   std::vector<Successor> repeat;
   bool operator==(const Successor&) const;
 };

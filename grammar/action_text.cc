@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kRepeat = "repeat";  // the row that is written split(axis) { … }*
 constexpr std::string_view kSplit = "split";
+constexpr std::string_view kSegment = "segment";  // repeats as one group
 
 tl::unexpected<Error> FailAt(const Lexer& lexer, const Token& token, ErrorCode code,
                              std::string message, std::string hint = {}) {
@@ -140,12 +141,10 @@ Result<std::vector<Argument>> Bind(const Lexer& lexer, const Token& name, const 
   return arguments;
 }
 
-using Key = std::variant<std::monostate, Size, Selector>;
-
-/// The thesis's form: split(y, 4, ~1) { A | B }, comp(f, side) { A }.
-Result<std::vector<Key>> KeysFrom(const Lexer& lexer, const Operation& row,
-                                  const std::vector<Written>& list, size_t used) {
-  std::vector<Key> keys;
+/// The thesis's form: split(y, 4, ~1) { A | B }, comp(f, side) { A }; names are always there.
+Result<std::vector<SuccessorKey>> KeysFrom(const Lexer& lexer, const Operation& row,
+                                           const std::vector<Written>& list, size_t used) {
+  std::vector<SuccessorKey> keys;
   for (size_t i = used; i < list.size(); ++i) {
     const Written& written = list[i];
     const auto selector =
@@ -154,6 +153,8 @@ Result<std::vector<Key>> KeysFrom(const Lexer& lexer, const Operation& row,
       keys.emplace_back(*written.size);
     } else if (row.braces == Braces::kSelectors && selector) {
       keys.emplace_back(Selector{*selector});
+    } else if (row.braces == Braces::kNames && written.is_word()) {
+      keys.emplace_back(written.token.text);
     } else {
       return FailAt(
           lexer, written.token, ErrorCode::kBadArguments,
@@ -200,6 +201,11 @@ class ActionReader {
     action.arguments = std::move(*arguments);
     const auto keys = KeysFrom(*lexer_, **row, *list, used);
     if (!keys) return Fail(keys);
+    if ((*row)->braces == Braces::kNames && keys->empty()) {
+      return FailAt(*lexer_, name, ErrorCode::kBadArguments,
+                    fmt::format("{} lacks the names of what it makes", name.text),
+                    R"(write layers("floors", "door") { Floors | Door })");
+    }
     if ((*row)->braces != Braces::kNone) {
       const auto braces = ReadBraces(*keys, &action);
       if (!braces) return Fail(braces);
@@ -232,7 +238,7 @@ class ActionReader {
     return tl::unexpected<Error>(std::move(error));
   }
 
-  Result<void> ReadBraces(const std::vector<Key>& keys, Action* action) {
+  Result<void> ReadBraces(const std::vector<SuccessorKey>& keys, Action* action) {
     const Token open = lexer_->Peek();
     auto successors = ReadSuccessors(*action->operation, !keys.empty());
     if (!successors) return Fail(successors);
@@ -247,11 +253,17 @@ class ActionReader {
     }
     if (!AtStar()) return {};
     const Token star = lexer_->Next();
+    if (action->operation->name == kSegment) {
+      Successor group;
+      group.repeat = std::move(action->successors);
+      action->successors = {std::move(group)};
+      return {};
+    }
     const Operation* repeat = FindOperation(kRepeat);
     if (action->operation->name != kSplit || repeat == nullptr) {
       return FailAt(*lexer_, star, ErrorCode::kBadText,
                     fmt::format("{} can't be repeated", action->operation->name),
-                    "only the braces of split are");
+                    "only the braces of split and segment are");
     }
     action->operation = repeat;
     return {};
@@ -275,7 +287,8 @@ class ActionReader {
     const auto open = lexer_->Expect('{', fmt::format("'{{' and what {} makes", row.name));
     if (!open) return Fail(open);
     std::vector<Successor> successors;
-    if (!lexer_->At('}')) {
+    // A name is written in the parentheses, and what stands in the braces may be nothing.
+    if (!lexer_->At('}') || row.braces == Braces::kNames) {
       do {
         auto successor = ReadSuccessor(row, keyed);
         if (!successor) return Fail(successor);
@@ -308,15 +321,15 @@ class ActionReader {
     return successor;
   }
 
-  Result<Key> ReadSizeKey() {
+  Result<SuccessorKey> ReadSizeKey() {
     const auto size = ReadSize(lexer_);
     if (!size) return Fail(size);
     const auto colon = lexer_->Expect(':', "':' after the size");
     if (!colon) return Fail(colon);
-    return Key(*size);
+    return SuccessorKey(*size);
   }
 
-  Result<Key> ReadSelectorKey() {
+  Result<SuccessorKey> ReadSelectorKey() {
     Selector selector;
     Token token = lexer_->Peek();
     if (token.kind == Token::Kind::kName) {
@@ -337,10 +350,10 @@ class ActionReader {
     while (lexer_->Peek().offset < token.end()) lexer_->Next();
     const auto colon = lexer_->Expect(':', "':' after the selector");
     if (!colon) return Fail(colon);
-    return Key(selector);
+    return SuccessorKey(selector);
   }
 
-  Result<Key> UnknownSelector(const Token& token) {
+  Result<SuccessorKey> UnknownSelector(const Token& token) {
     const std::vector<std::string_view> known = SelectorNames();
     const std::vector<std::string> names(known.begin(), known.end());
     const auto meant = DidYouMean(token.text, names);
@@ -366,10 +379,14 @@ class ActionReader {
       }
       successor->actions.push_back(std::move(*action));
     }
+    const Token at = lexer_->Peek();
+    successor->deferred = lexer_->Accept('@');
     if (lexer_->At(Token::Kind::kName) || lexer_->At(Token::Kind::kText)) {
       successor->symbol = lexer_->Next().text;
     }
-    return {};
+    if (!successor->deferred || (!successor->symbol.empty() && successor->symbol != kNil))
+      return {};
+    return FailAt(*lexer_, at, ErrorCode::kBadText, "'@' defers nothing here", "write @Symbol");
   }
 
   Lexer* lexer_;
@@ -410,6 +427,10 @@ std::string ArgumentsText(const Action& action) {
     const bool implied = !parameter.required && parameter.kind == ParameterKind::kWord &&
                          action.arguments[i] == parameter.default_value;
     if (!implied) texts.push_back(TextOf(action.arguments[i], parameter.kind));
+  }
+  for (const Successor& successor : action.successors) {
+    const auto* name = std::get_if<std::string>(&successor.key);
+    if (name != nullptr) texts.push_back(QuotedText(*name));
   }
   return fmt::format("({})", fmt::join(texts, ", "));
 }
@@ -460,8 +481,10 @@ std::string TextOf(const Successor& successor) {
     text = TextOf(*selector) + ":";
   }
   for (const Action& action : successor.actions) text += " " + TextOf(action);
-  if (!successor.symbol.empty()) text += " " + NameText(successor.symbol);
-  return text;
+  if (!successor.symbol.empty()) {
+    text += (successor.deferred ? " @" : " ") + NameText(successor.symbol);
+  }
+  return text.starts_with(' ') ? text.substr(1) : text;
 }
 
 std::string TextOf(const Action& action) {
@@ -469,6 +492,9 @@ std::string TextOf(const Action& action) {
   const Operation& row = *action.operation;
   const bool repeat = row.name == kRepeat;
   std::string text = std::string(repeat ? kSplit : row.name) + ArgumentsText(action);
+  const bool group =
+      row.name == kSegment && action.successors.size() == 1 && !action.successors[0].repeat.empty();
+  if (group) return text + " " + grammar::TextOf(action.successors[0]);
   if (row.braces != Braces::kNone) text += " " + TextOf(action.successors) + (repeat ? "*" : "");
   if (!action.symbol.empty()) text += " " + NameText(action.symbol);
   return text;

@@ -205,13 +205,23 @@ double FaceArea(const Mesh& mesh, const MeshFace& face) {
 }  // namespace
 
 std::string_view NameOf(ItemType type) {
-  return type == ItemType::kVolume ? "VolumetricShape" : "PlanarShape";
+  switch (type) {
+    case ItemType::kVolume:
+      return "VolumetricShape";
+    case ItemType::kPlanar:
+      return "PlanarShape";
+    case ItemType::kShape2D:
+      return "Shape2D";
+    case ItemType::kLayer:
+      return "Layer";
+  }
+  return "";
 }
 
-Polygon PolygonOf(const Item& planar) {
-  CHECK(planar.type == ItemType::kPlanar, "only a planar item is a polygon");
-  if (planar.polygon) return *planar.polygon;
-  return Rectangle(Vec2(planar.scope.size.x, planar.scope.size.y));
+Polygon PolygonOf(const Item& flat) {
+  CHECK(IsFlat(flat.type), "a volume is no polygon");
+  if (flat.polygon) return *flat.polygon;
+  return Rectangle(Vec2(flat.scope.size.x, flat.scope.size.y));
 }
 
 Mesh MeshOf(const Item& volume) {
@@ -221,7 +231,7 @@ Mesh MeshOf(const Item& volume) {
 
 double AreaOf(const Item& item) {
   const Vec3& size = item.scope.size;
-  if (item.type == ItemType::kPlanar) {
+  if (IsFlat(item.type)) {
     return item.polygon ? Area(*item.polygon) : size.x * size.y;
   }
   double area = 0;
@@ -236,7 +246,7 @@ double AreaOf(const Item& item) {
 }
 
 double VolumeOf(const Item& item) {
-  if (item.type == ItemType::kPlanar) return 0;
+  if (IsFlat(item.type)) return 0;
   const Vec3& size = item.scope.size;
   const double box = size.x * size.y * size.z;
   if (!item.mesh) return box;
@@ -244,7 +254,7 @@ double VolumeOf(const Item& item) {
 }
 
 std::vector<Item> FacesOf(const Item& item) {
-  if (item.type == ItemType::kPlanar) return {item};
+  if (IsFlat(item.type)) return {item};
   std::vector<Item> faces;
   if (item.mesh) {
     faces.reserve(item.mesh->faces.size());
@@ -259,7 +269,7 @@ std::vector<Item> FacesOf(const Item& item) {
 }
 
 void EdgesOf(const Item& item, std::vector<Segment3>* edges) {
-  if (item.type == ItemType::kPlanar) {
+  if (IsFlat(item.type)) {
     if (!item.polygon) return AddRectangleEdges(item.scope, edges);
     AddRingEdges(item.scope, item.polygon->outer, edges);
     for (const Ring& hole : item.polygon->holes) AddRingEdges(item.scope, hole, edges);
@@ -280,7 +290,7 @@ std::vector<Segment3> EdgesOf(const Item& item) {
 }
 
 void TrianglesOf(const Item& item, std::vector<Vec3>* corners) {
-  if (item.type == ItemType::kPlanar) {
+  if (IsFlat(item.type)) {
     if (!item.polygon) return AddRectangleTriangles(item.scope, corners);
     std::vector<Vec2> flat = item.polygon->outer;
     for (const Ring& hole : item.polygon->holes) flat.insert(flat.end(), hole.begin(), hole.end());

@@ -15,22 +15,38 @@
 
 namespace parti::grammar {
 
-/// The kinds of geometry that operations tell apart.
-enum class ItemType : uint8_t { kVolume = 1, kPlanar = 2 };
+/// What operations tell apart (4.1). A volume and a planar shape stand in the world and are
+/// visible; a layer and a 2D shape belong to the scene of a planar shape, in whose plane their
+/// scopes lie, and are never visible: the normalisation makes planar shapes of them
+/// (layers/normalise.h).
+enum class ItemType : uint8_t { kVolume = 1, kPlanar = 2, kShape2D = 4, kLayer = 8 };
 /// A set of ItemType values, or-ed.
 using ItemTypes = uint8_t;
 constexpr ItemTypes Types(ItemType a) { return static_cast<ItemTypes>(a); }
-constexpr ItemTypes Types(ItemType a, ItemType b) {
-  return static_cast<ItemTypes>(Types(a) | Types(b));
+template <typename... Rest>
+constexpr ItemTypes Types(ItemType a, Rest... rest) {
+  return static_cast<ItemTypes>(Types(a) | Types(rest...));
 }
-std::string_view NameOf(ItemType type);  ///< "VolumetricShape", "PlanarShape"
+inline constexpr ItemTypes kAllItemTypes =
+    Types(ItemType::kVolume, ItemType::kPlanar, ItemType::kShape2D, ItemType::kLayer);
+std::string_view NameOf(ItemType type);  ///< "VolumetricShape", "PlanarShape", "Shape2D", "Layer"
+
+/// Whether shapes of this type are a part of what is seen.
+constexpr bool IsVisible(ItemType type) {
+  return type == ItemType::kVolume || type == ItemType::kPlanar;
+}
+/// Whether it lies in a plane: all but volumes.
+constexpr bool IsFlat(ItemType type) { return type != ItemType::kVolume; }
 
 /// Geometry is immutable and shared. Null geometry is the whole scope: a rectangle or a box, which
-/// is what most shapes of a building are.
+/// is what most shapes of a building are. A layer has its planar shape's scope and no polygon.
 struct Item {
   ItemType type = ItemType::kPlanar;
+  bool fixed_geometry = true;  ///< a 2D shape that is covered is dropped, not cut (4.18; errata 6)
+  uint16_t layer = 0;          ///< of the scene; a later one lies over an earlier one (errata 2)
+  int32_t depth = 0;           ///< in the layer, 0 or less: the smaller lies on top (errata 2)
   Scope scope;
-  std::shared_ptr<const Polygon> polygon;  ///< planar, in scope x and y; null: the rectangle
+  std::shared_ptr<const Polygon> polygon;  ///< flat, in scope x and y; null: the rectangle
   std::shared_ptr<const Mesh> mesh;        ///< volume, in scope coordinates; null: the box
   Vec3 facing{0, 0, 0};  ///< unit outward normal; a volume keeps its origin's; 0: none (errata 10)
   uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given; else it goes before that of any paint
@@ -56,12 +72,12 @@ Result<Item> PlanarFrom(const std::vector<std::vector<Vec3>>& rings, const Vec3*
 /// A box standing in the world. errors  kDegenerateGeometry  a size of 0 or less; kBadNumber.
 Result<Item> BoxFrom(const Scope& scope);
 
-Polygon PolygonOf(const Item& planar);  ///< the rectangle made explicit
-Mesh MeshOf(const Item& volume);        ///< the box made explicit; a niche's as if it were solid
-double AreaOf(const Item& item);        ///< planar: its area; volume: its surface's; m^2
-double VolumeOf(const Item& item);      ///< m^3; 0 for a planar item
+Polygon PolygonOf(const Item& flat);  ///< the rectangle made explicit
+Mesh MeshOf(const Item& volume);      ///< the box made explicit; a niche's as if it were solid
+double AreaOf(const Item& item);      ///< flat: its area; volume: its surface's; m^2
+double VolumeOf(const Item& item);    ///< m^3; 0 for a flat item
 
-/// The faces of a volume as planar items in the world (a planar item gives itself), with outward
+/// The faces of a volume as planar items in the world (a flat item gives itself), with outward
 /// normals; the first edge of each is its x axis. A niche's look inward, and its mouth is none.
 std::vector<Item> FacesOf(const Item& item);
 /// Outline edges in the world, each once, in a fixed order.

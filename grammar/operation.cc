@@ -26,8 +26,8 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 }  // namespace
 
 std::span<const Operation> Operations() {
-  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,
-                                   kOffset,  kTag,   kSymbol, kColor};
+  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,    kOffset,     kTag,
+                                   kSymbol,  kColor, kLayers, kSegment, kSetProperty};
   return rows;
 }
 
@@ -46,6 +46,12 @@ Result<const Operation*> OperationNamed(std::string_view name) {
   return Fail(ErrorCode::kUnknownName, fmt::format("there is no operation '{}'", name),
               meant ? fmt::format("did you mean '{}'?", *meant)
                     : fmt::format("operations are {}", fmt::join(names, ", ")));
+}
+
+std::optional<ItemType> OutType(const Operation& operation, ItemType type) {
+  if ((operation.takes & Types(type)) == 0) return std::nullopt;
+  if ((operation.gives & Types(type)) != 0) return type;
+  return static_cast<ItemType>(operation.gives & -operation.gives);  // the only one there is
 }
 
 Action Default(const Operation& operation) {

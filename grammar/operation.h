@@ -2,6 +2,7 @@
 // panels draw editors, the sketch pipeline samples and descends, the manual is generated from it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,9 @@
 namespace parti::grammar {
 
 /// How an argument is written and stored: kLength (m), kAngle (degrees) and kFactor are numbers
-/// (double); kAxis is x, y or z (Axis); kText is text in quotes (std::string); kColor is "#rrggbb"
-/// in quotes (std::string); kWord is a bare word, one of Parameter::words (std::string): comp's f;
+/// (double); kAxis is x, y or z (Axis); kText is text in quotes (std::string), one of
+/// Parameter::words where there are some; kColor is "#rrggbb" in quotes (std::string); kWord is a
+/// bare word, one of Parameter::words (std::string): comp's f;
 /// kBool is true or false (bool); kSize is a length, absolute or relative to a size of the item's
 /// scope: 3 or '0.5 (Size, never floating; low and high bound the metres).
 enum class ParameterKind : uint8_t {
@@ -38,11 +40,12 @@ struct Parameter {
   Argument default_value;
   bool required = true;
   std::string_view doc;
-  std::span<const std::string_view> words = {};  ///< kWord: what is allowed
+  std::span<const std::string_view> words = {};  ///< kWord, kText: what is allowed
 };
 
-/// What stands in an operation's braces.
-enum class Braces : uint8_t { kNone, kSizes, kSelectors };
+/// What stands in an operation's braces. Names are written in the parentheses, and each is the key
+/// of a successor: layers("floors", "door") { Floors | Door }.
+enum class Braces : uint8_t { kNone, kSizes, kSelectors, kNames };
 
 /// One item that an operation made. Successors whose symbol is NIL get none. `successor` is the
 /// path-free number of the successor it belongs to: successors counted depth first through repeat
@@ -76,11 +79,16 @@ struct Operation {
 /// All rows, in the order of the manual. "repeat" is a row of its own: its argument is the axis,
 /// its successors are the pattern, and it is written `split(axis) { ~size: X }*`; a group inside a
 /// split's braces, `split(axis) { 4: A | { ~3: B }* }`, is Successor::repeat of the split.
+/// `segment(axis) { ~size: X }*` is a segment with one successor, that group.
 std::span<const Operation> Operations();
 /// nullptr when there is none.
 const Operation* FindOperation(std::string_view name);
 /// errors  kUnknownName  with "did you mean".
 Result<const Operation*> OperationNamed(std::string_view name);
+
+/// The type of what the row makes of an item of this type (4.10): a type that it takes and gives is
+/// kept. Nothing where it doesn't take the type.
+std::optional<ItemType> OutType(const Operation& operation, ItemType type);
 
 /// An action of this row with default arguments and no successors.
 Action Default(const Operation& operation);

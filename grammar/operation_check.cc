@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "grammar/operation.h"
 #include "grammar/operations/split_sizes.h"
@@ -46,9 +47,9 @@ Result<void> CheckText(const Operation& row, const Parameter& parameter, std::st
     return fail("give a color as \"#rrggbb\"");
   }
   if (parameter.kind == ParameterKind::kText && text.empty()) return fail("give a name");
-  if (parameter.kind == ParameterKind::kWord &&
-      std::find(parameter.words.begin(), parameter.words.end(), text) == parameter.words.end()) {
-    return fail(fmt::format("give {}", fmt::join(parameter.words, " or ")));
+  const std::span<const std::string_view> words = parameter.words;
+  if (!words.empty() && std::find(words.begin(), words.end(), text) == words.end()) {
+    return fail(fmt::format("give {}", fmt::join(words, " or ")));
   }
   return {};
 }
@@ -142,6 +143,26 @@ Result<void> CheckSizes(const Action& action, std::span<const Successor> list, i
   return {};
 }
 
+/// Layers: each successor has a name of its own.
+Result<void> CheckNames(const Action& action) {
+  std::set<std::string_view> names;
+  for (const Successor& s : action.successors) {
+    const auto* name = std::get_if<std::string>(&s.key);
+    if (name == nullptr || name->empty() || !s.repeat.empty()) {
+      return Fail(ErrorCode::kBadArguments,
+                  fmt::format("{}: a successor without a name", Name(action)),
+                  R"(write layers("floors", "door") { Floors | Door })");
+    }
+    if (!names.insert(*name).second) {
+      return Fail(ErrorCode::kBadArguments,
+                  fmt::format("{}: two successors are named '{}'", Name(action), *name),
+                  "give each a name of its own");
+    }
+    if (auto good = CheckLeaf(action, s); !good) return good;
+  }
+  return {};
+}
+
 Result<void> CheckBraces(const Action& action) {
   const bool has_braces = action.operation->braces != Braces::kNone;
   if (has_braces == action.successors.empty()) {
@@ -154,11 +175,26 @@ Result<void> CheckBraces(const Action& action) {
                 fmt::format("{} takes no symbol after it, got '{}'", Name(action), action.symbol));
   }
   if (action.operation->braces == Braces::kSizes) return CheckSizes(action, action.successors, 0);
+  if (action.operation->braces == Braces::kNames) return CheckNames(action);
   for (const Successor& s : action.successors) {
     if (auto good = CheckSelector(action, s); !good) return good;
     if (auto good = CheckLeaf(action, s); !good) return good;
   }
   return {};
+}
+
+std::string_view RemedyFor(const Item& item) {
+  switch (item.type) {
+    case ItemType::kVolume:
+      return "take its faces with comp(f) first";
+    case ItemType::kPlanar:
+      return "extrude it first";
+    case ItemType::kLayer:
+      return "lay 2D shapes out in it first, with segment or vectorial";
+    case ItemType::kShape2D:
+      return "it needs the planar shape that the scene's normalisation makes of a 2D shape";
+  }
+  return "";
 }
 
 }  // namespace
@@ -217,10 +253,9 @@ Result<void> Check(const Action& action) {
 Result<std::vector<Product>> Apply(const Action& action, const Item& item) {
   if (auto good = Check(action); !good) return Fail(good);
   if ((action.operation->takes & Types(item.type)) == 0) {
-    return Fail(
-        ErrorCode::kWrongItemType,
-        fmt::format("{} can't be applied to a {}", Name(action), NameOf(item.type)),
-        item.type == ItemType::kVolume ? "take its faces with comp(f) first" : "extrude it first");
+    return Fail(ErrorCode::kWrongItemType,
+                fmt::format("{} can't be applied to a {}", Name(action), NameOf(item.type)),
+                std::string(RemedyFor(item)));
   }
   return action.operation->apply(item, action);
 }

@@ -12,7 +12,8 @@ namespace {
 
 std::string TypesText(ItemTypes types) {
   std::vector<std::string_view> names;
-  for (const ItemType type : {ItemType::kPlanar, ItemType::kVolume}) {
+  for (const ItemType type :
+       {ItemType::kPlanar, ItemType::kVolume, ItemType::kLayer, ItemType::kShape2D}) {
     if ((types & Types(type)) != 0) names.push_back(NameOf(type));
   }
   return fmt::format("{}", fmt::join(names, ", "));
@@ -29,13 +30,14 @@ std::string RangeText(const Parameter& p) {
     case ParameterKind::kAxis:
       return "x, y or z";
     case ParameterKind::kText:
-      return "text in quotes";
+      return p.words.empty() ? "text in quotes"
+                             : fmt::format("\"{}\"", fmt::join(p.words, "\", \""));
     case ParameterKind::kColor:
       return "\"#rrggbb\"";
     case ParameterKind::kWord:
       return fmt::format("{}", fmt::join(p.words, ", "));
     case ParameterKind::kBool:
-      return "true, false";
+      return "true or false";
     case ParameterKind::kSize:
       return fmt::format("{:g} to {:g} m, or a part as '0.5", p.low, p.high);
   }
@@ -56,17 +58,21 @@ std::string FormText(const Operation& row) {
   for (const Parameter& p : row.parameters) {
     names.push_back(p.kind == ParameterKind::kWord ? p.words.front() : p.name);
   }
+  if (row.braces == Braces::kNames) names.emplace_back("\"name\", …");
   const bool repeats = row.name == "repeat";  // written as a split (language.md)
   std::string text = fmt::format("{}({})", repeats ? "split" : row.name, fmt::join(names, ", "));
   if (row.braces == Braces::kSizes) text += " { size: Symbol | … }";
   if (row.braces == Braces::kSelectors) text += " { selector: Symbol | … }";
+  if (row.braces == Braces::kNames) text += " { Symbol | … }";
   if (row.braces == Braces::kNone && !row.in_place) text += " Symbol";
   return repeats ? text + "*" : text;
 }
 
 std::string SectionText(const Operation& row) {
   std::string text = fmt::format("## {}\n\n`{}`\n\n{}\n\n", row.name, FormText(row), row.doc);
-  text += "| argument | values | default | meaning |\n| --- | --- | --- | --- |\n";
+  if (!row.parameters.empty()) {
+    text += "| argument | values | default | meaning |\n| --- | --- | --- | --- |\n";
+  }
   for (const Parameter& p : row.parameters) {
     text += fmt::format("| {} | {} | {} | {} |\n", p.name, RangeText(p),
                         DefaultText(p.default_value), p.doc);

@@ -47,7 +47,7 @@ Successor SelectorSuccessor(Selector::Kind kind, std::string symbol) {
 }
 
 /// Axes along which the item has an extent.
-int AxesOf(const Item& item) { return item.type == ItemType::kVolume ? 3 : 2; }
+int AxesOf(const Item& item) { return IsFlat(item.type) ? 2 : 3; }
 
 /// One cut, or one repeated size, along each axis for each length that fits.
 void AddSplitSamples(const Operation& row, const Item& item, std::span<const double> lengths_m,

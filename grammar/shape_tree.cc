@@ -137,7 +137,7 @@ std::vector<ShapeIndex> ShapeTree::Leaves() const {
       i = (*this)[i].first_child;
       continue;
     }
-    leaves.push_back(i);
+    if (IsVisible((*this)[i].item.type)) leaves.push_back(i);
     while (i != 0 && (*this)[i].next_sibling == kNoShape) i = (*this)[i].parent;
     if (i == 0) return leaves;
     i = (*this)[i].next_sibling;

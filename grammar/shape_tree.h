@@ -61,7 +61,7 @@ class ShapeTree {
 
   bool IsLeaf(ShapeIndex i) const { return (*this)[i].first_child == kNoShape; }
   bool IsAncestor(ShapeIndex ancestor, ShapeIndex descendant) const;  ///< not of itself
-  /// Leaves in depth-first order: what is visible.
+  /// Leaves in depth-first order that are visible: no layers, no 2D shapes.
   std::vector<ShapeIndex> Leaves() const;
 
   /// Child-index path from the lot, "0/2/5"; "." is the lot (interfaces.md, Shape ids).

@@ -20,7 +20,7 @@ struct SplitAxis {
 };
 
 bool InPlaneOf(const grammar::Item& item, const Segment3& line, double near_m) {
-  return item.type != grammar::ItemType::kPlanar ||
+  return !grammar::IsFlat(item.type) ||
          (std::abs(line.a.z) <= near_m && std::abs(line.b.z) <= near_m);
 }
 
@@ -184,7 +184,7 @@ std::vector<Hypothesis> SplitHeuristic(const Configuration& configuration,
                                        const grammar::Item& item,
                                        const HeuristicParameters& parameters) {
   std::vector<Hypothesis> hypotheses;
-  const int axes = item.type == grammar::ItemType::kPlanar ? 2 : 3;
+  const int axes = grammar::IsFlat(item.type) ? 2 : 3;
   for (int index = 0; index < axes; ++index) {
     const double whole_m = item.scope.size[index];
     if (whole_m <= 0) continue;

@@ -113,7 +113,7 @@ Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
 Result<void> CheckItem(const grammar::Item& item) {
   const Vec3& size = item.scope.size;
   const double area =
-      item.type == grammar::ItemType::kPlanar ? size.x * size.y : size.x * size.y * size.z;
+      grammar::IsFlat(item.type) ? size.x * size.y : size.x * size.y * size.z;
   if (std::isfinite(area) && area > 0) return {};
   return Fail(ErrorCode::kDegenerateGeometry, "the shape that was drawn on has no size",
               "draw on a shape that has an area");

@@ -6,7 +6,8 @@
 
 namespace parti::grammar {
 
-extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor;
+extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
+    kSegment, kVectorial, kSetProperty;
 
 /// The first successor whose selector is `kind`; -1 when there is none or it makes nothing (NIL).
 /// Only for actions without repeat groups.

@@ -4,19 +4,11 @@
 
 #include "grammar/item_make.h"
 #include "grammar/operations/rows.h"
+#include "grammar/operations/split_axis.h"
 #include "grammar/operations/split_sizes.h"
 
 namespace parti::grammar {
 namespace {
-
-/// The axis of the item that the action names; -1: it has no extent there. On planar shapes that
-/// lie flat, where CGA says z for depth, y and z are both the second in-plane axis.
-int AxisIn(const Item& item, Axis named) {
-  const int axis = static_cast<int>(named);
-  if (item.type == ItemType::kVolume || axis < 2) return axis;
-  constexpr double kFlat = 0.70710678118654752;  // elevation of 45 deg, as for :up (errata 10)
-  return std::abs(item.scope.z.y) >= kFlat - 1e-9 ? 1 : -1;
-}
 
 /// The same item with its mesh in the scope's coordinates, where it has one.
 Item WithOwnMesh(Item item) {
@@ -53,11 +45,9 @@ void AddParts(const Item& item, int axis, const SplitPiece& piece, std::vector<P
 using Resolve = Result<void> (*)(std::span<const Successor>, double, std::vector<SplitPiece>*);
 
 Result<std::vector<Product>> Cut(const Item& item, const Action& action, Resolve resolve) {
-  const int axis = AxisIn(item, std::get<Axis>(action.arguments[0]));
-  if (axis < 0) {
-    return Fail(ErrorCode::kBadArguments, "an upright planar shape can't be split along z",
-                "split along x or y");
-  }
+  const auto axis_in = AxisIn(item, action);
+  if (!axis_in) return Fail(axis_in);
+  const int axis = *axis_in;
   std::vector<SplitPiece> pieces;
   pieces.reserve(action.successors.size());
   const auto resolved = resolve(action.successors, item.scope.size[axis], &pieces);

@@ -27,8 +27,8 @@ constinit const Operation kTag = {
     .parameters = kParameters,
     .braces = Braces::kNone,
     .selectors = {},
-    .takes = Types(ItemType::kVolume, ItemType::kPlanar),
-    .gives = Types(ItemType::kVolume, ItemType::kPlanar),
+    .takes = kAllItemTypes,
+    .gives = kAllItemTypes,
     .in_place = true,
     .apply = ApplyTag,
 };

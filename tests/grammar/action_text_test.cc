@@ -34,6 +34,12 @@ TEST(ActionText, ReadsBackWhatItPrints) {
            "tag(\"two words\")",
            "symbol(\"Wall\")",
            "color(\"#ad7859\") Painted",
+           "layers(\"floors\", \"door\") { Floors | @Door }",
+           "layers(\"a\") { tag(\"x\") NIL }",
+           "segment(x) { ~1: NIL | 1.2: Window | ~1: NIL }*",
+           "segment(y) { 4: Ground | { ~3: @Floor }* }",
+           "segment(y) { { ~3: Floor }* }*",
+           "set_property(\"fixed_geometry\", true)",
        }) {
     EXPECT_EQ(ReadBack(text), text);
   }
@@ -50,6 +56,39 @@ TEST(ActionText, AcceptsTheVariantsOfThePapers) {
 TEST(ActionText, RepeatIsARowOfItsOwn) {
   EXPECT_EQ(ParseAction("split(y) { ~3: Floor }*")->operation->word, "Repeat");
   EXPECT_EQ(ParseAction("split(y) { { ~3: Floor }* }")->operation->word, "Split");
+}
+
+TEST(ActionText, ASegmentRepeatsAsOneGroup) {
+  const auto repeated = ParseAction("segment(x) { ~3: A }*");
+  EXPECT_EQ(*repeated, *ParseAction("segment(x) { { ~3: A }* }"));
+  EXPECT_EQ(*repeated, *ParseAction("segment(x, ~3) { A }*"));
+  ASSERT_EQ(repeated->successors.size(), 1u);
+  EXPECT_EQ(repeated->successors[0].repeat.size(), 1u);
+}
+
+TEST(ActionText, LayersKeepTheirNames) {
+  const auto layers = ParseAction("layers(\"floors\", \"door\") { Floors | @Door }");
+  ASSERT_EQ(layers->successors.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(layers->successors[1].key), "door");
+  EXPECT_FALSE(layers->successors[0].deferred);
+  EXPECT_TRUE(layers->successors[1].deferred);
+}
+
+TEST(ActionText, LayersNeedANameForEachAlternative) {
+  EXPECT_THAT(ErrorOf("layers() { A }"), HasSubstr("layers lacks the names of what it makes"));
+  EXPECT_THAT(ErrorOf("layers(\"a\") { A | B }"),
+              HasSubstr("layers has 2 alternatives in braces for 1 in parentheses"));
+  EXPECT_THAT(ErrorOf("layers(\"a\", \"a\") { A | B }"),
+              HasSubstr("layers: two successors are named 'a'"));
+  EXPECT_THAT(ErrorOf("layers(\"a\") { { A }* }"), HasSubstr("layers: "));
+  EXPECT_THAT(ErrorOf("layers(\"a\") { A }*"), HasSubstr("layers can't be repeated"));
+  EXPECT_THAT(ErrorOf("layers(\"a\") { @NIL }"), HasSubstr("write @Symbol"));
+  EXPECT_THAT(ErrorOf("layers(\"a\") { @ }"), HasSubstr("write @Symbol"));
+}
+
+TEST(ActionText, PropertiesAreChecked) {
+  EXPECT_THAT(ErrorOf("set_property(\"fixed\", false)"), HasSubstr("give fixed_geometry"));
+  EXPECT_THAT(ErrorOf("set_property(\"fixed_geometry\", 0)"), HasSubstr("true or false"));
 }
 
 TEST(ActionText, ErrorsSayWhereAndWhatIsMeant) {

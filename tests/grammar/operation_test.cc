@@ -36,7 +36,7 @@ TEST(OperationTable, NamesAndWordsAreUnique) {
     EXPECT_NE(row.apply, nullptr) << row.name;
     EXPECT_EQ(row.braces == Braces::kSelectors, !row.selectors.empty()) << row.name;
   }
-  EXPECT_EQ(names.size(), 8u);
+  EXPECT_GE(names.size(), 8u);
 }
 
 TEST(OperationTable, MisspeltNameGetsAHint) {

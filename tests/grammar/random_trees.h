@@ -83,7 +83,9 @@ inline Argument RandomArgument(const Parameter& parameter) {
     case ParameterKind::kAxis:
       return *rc::gen::element(Axis::kX, Axis::kY, Axis::kZ);
     case ParameterKind::kText:
-      return *AnyName();
+      return parameter.words.empty() ? *AnyName() : std::string(parameter.words.front());
+    case ParameterKind::kBool:
+      return *rc::gen::arbitrary<bool>();
     case ParameterKind::kColor:
     case ParameterKind::kWord:
       return parameter.default_value;
@@ -96,16 +98,20 @@ inline Action RandomAction(bool in_place);
 
 inline Successor RandomSuccessor(const Operation& row, int depth) {
   Successor successor;
+  successor.deferred = *rc::gen::inRange(0, 4) == 0;
   if (row.braces == Braces::kSizes && depth < 2 && *rc::gen::inRange(0, 4) == 0) {
     for (int i = *rc::gen::inRange(1, 3); i > 0; --i) {
       successor.repeat.push_back(RandomSuccessor(row, depth + 1));
     }
+    successor.deferred = false;
     return successor;
   }
   if (row.braces == Braces::kSizes) {
     using Kind = Size::Kind;
     successor.key = Size{*rc::gen::element(Kind::kAbsolute, Kind::kRelative, Kind::kFloating),
                          *AnyNumber(0.1, 10)};
+  } else if (row.braces == Braces::kNames) {
+    successor.key = *AnyName();
   } else {
     const auto kind = row.selectors[*rc::gen::inRange<size_t>(0, row.selectors.size())];
     successor.key = Selector{kind, kind == Selector::Kind::kIndex ? *rc::gen::inRange(0, 9) : 0};
@@ -114,6 +120,7 @@ inline Successor RandomSuccessor(const Operation& row, int depth) {
     successor.actions.push_back(RandomAction(true));
   }
   successor.symbol = *rc::gen::element<std::string>("", "NIL", "A", "two words");
+  if (successor.symbol.empty() || successor.symbol == kNil) successor.deferred = false;
   return successor;
 }
 
@@ -132,6 +139,8 @@ inline Action RandomAction(bool in_place = false) {
   }
   for (int i = *rc::gen::inRange(1, 4); i > 0; --i) {
     action.successors.push_back(RandomSuccessor(row, 0));
+    auto* name = std::get_if<std::string>(&action.successors.back().key);
+    if (name != nullptr) *name += std::to_string(i);  // each has its own
   }
   return action;
 }
