@@ -26,8 +26,8 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 }  // namespace
 
 std::span<const Operation> Operations() {
-  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,    kOffset,     kTag,
-                                   kSymbol,  kColor, kLayers, kSegment, kSetProperty};
+  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,    kOffset,    kTag,
+                                   kSymbol,  kColor, kLayers, kSegment, kVectorial, kSetProperty};
   return rows;
 }
 

@@ -15,7 +15,7 @@ class RegionIndex {
   /// For about `count` rectangles in `bounds`.
   RegionIndex(const Box2& bounds, size_t count);
 
-  void Add(uint32_t number, const Box2& box);
+  void Add(uint32_t number, const Box2& box);  ///< found from here on
   /// Numbers of rectangles in the cells that `box` covers, each once, ascending: all that overlap
   /// it, and some more.
   const std::vector<uint32_t>& Near(const Box2& box);

@@ -40,6 +40,8 @@ TEST(ActionText, ReadsBackWhatItPrints) {
            "segment(y) { 4: Ground | { ~3: @Floor }* }",
            "segment(y) { { ~3: Floor }* }*",
            "set_property(\"fixed_geometry\", true)",
+           "vectorial(\"M0,0 L0,1 L1,0Z\") Gable",
+           "vectorial(\"M0,0 A1,1 0 0 1 1,0Z\", 12)",
        }) {
     EXPECT_EQ(ReadBack(text), text);
   }

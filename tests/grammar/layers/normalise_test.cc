@@ -207,6 +207,36 @@ TEST(Normalise, AWholeOfWhichNothingIsLeftIsDiscarded) {
   EXPECT_EQ(scene[under].type, ItemType::kShape2D);
 }
 
+/// Listings 4.3 and 4.4 laid out by hand.
+struct BalconyAndDoor : TwoLayers {
+  ShapeIndex balcony, arch;
+  explicit BalconyAndDoor(std::string_view balcony_property = "") {
+    const auto middle = Act(floors, "segment(y, 3, 2, 2) { NIL | Floor | NIL }");
+    balcony = Act(middle[0], "segment(x, 3, 2, 3) { NIL | Balcony | NIL }")[0];
+    if (!balcony_property.empty()) Act(balcony, balcony_property);
+    const auto upright = Act(door, "segment(x, 3, 2, 3) { NIL | DoorTile | NIL }");
+    const auto tile = Act(upright[0], "segment(y, 4, ~1) { ArchedDoor | NIL }");
+    arch = Act(tile[0], "vectorial(\"M0,0 L0,0.5 C0,1 1,1 1,0.5 L1,0Z\", 50)")[0];
+    shapes = {balcony, arch};
+  }
+};
+
+TEST(Listing4_4, TheArchReplacesTheBalcony) {
+  BalconyAndDoor scene;
+  EXPECT_THAT(scene.Normalise(), ElementsAre(IsEmpty(), ElementsAre(scene.arch)));
+  EXPECT_NEAR(scene.UncoveredArea(), 70 - AreaOf(scene[scene.arch]), 1e-9);
+}
+
+TEST(Listing4_5, TheBalconyAdaptsToTheArch) {
+  BalconyAndDoor scene("set_property(\"fixed_geometry\", false)");
+  EXPECT_THAT(scene.Normalise(), ElementsAre(ElementsAre(scene.balcony), ElementsAre(scene.arch)));
+  const Item& balcony = scene[scene.balcony];
+  EXPECT_GT(balcony.polygon->outer.size(), 20u);
+  EXPECT_LT(AreaOf(balcony), 4);
+  EXPECT_EQ(balcony.scope.origin, Vec3(3, 3, 0));
+  EXPECT_EQ(balcony.scope.size, Vec3(2, 2, 0));
+}
+
 TEST(AppendBackground, ComesLastAndIsTagged) {
   TwoLayers scene;
   scene.Add(scene.floors, {4, 0}, {6, 7});

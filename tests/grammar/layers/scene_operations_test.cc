@@ -76,6 +76,46 @@ TEST(Segment, AxisZIsDepthOfLevelShapesOnly) {
             ErrorCode::kWrongItemType);
 }
 
+constexpr const char* kArch = "vectorial(\"M0,0 L0,0.5 C0,1 1,1 1,0.5 L1,0Z\", 50)";
+
+TEST(Vectorial, FillsThePredecessorsRectangle) {
+  for (const Item& item : {Wall(), MadeLayer(), Made("segment(x) { ~1: A }", Wall())[0].item}) {
+    const auto made = Made(kArch, item);
+    ASSERT_EQ(made.size(), 1u);
+    const Item& arch = made[0].item;
+    EXPECT_EQ(arch.type, ItemType::kShape2D);
+    EXPECT_EQ(arch.layer, item.layer);
+    EXPECT_EQ(arch.depth, item.depth - 1);
+    EXPECT_EQ(arch.scope.origin, Vec3(0, 0, 0));
+    EXPECT_EQ(arch.scope.size.x, 10);
+    EXPECT_NEAR(arch.scope.size.y, 7 * 0.875, 1e-3);  // the curve's top
+    EXPECT_EQ(arch.polygon->outer.size(), 54u);
+  }
+}
+
+TEST(Vectorial, BoundsAreThePathsOwn) {
+  const Item made = Made("vectorial(\"M0.2,0.5 H0.6 V1.5 Z\")", Wall())[0].item;
+  EXPECT_EQ(made.scope.origin, Vec3(2, 3.5, 0));
+  EXPECT_EQ(made.scope.size, Vec3(4, 7, 0));
+}
+
+TEST(Vectorial, FurtherLoopsAreHoles) {
+  const Item made = Made("vectorial(\"M0,0H1V1H0Z M.2,.2H.8V.8H.2Z\")", Wall())[0].item;
+  EXPECT_EQ(made.polygon->holes.size(), 1u);
+  EXPECT_NEAR(AreaOf(made), 70 * (1 - 0.36), 1e-9);
+}
+
+TEST(Vectorial, RefusesPathsThatCrossThemselves) {
+  const Error error = Refused("vectorial(\"M0,0 L1,1 L1,0 L0,1Z\")", Wall());
+  EXPECT_EQ(error.code, ErrorCode::kSelfIntersecting);
+  EXPECT_THAT(error.message, HasSubstr("vectorial: the outline crosses itself at (5.000, 3.500)"));
+  EXPECT_TRUE(error.place.has_value());
+  EXPECT_EQ(Refused("vectorial(\"M0,0 L1,0\")", Wall()).code, ErrorCode::kDegenerateGeometry);
+  EXPECT_EQ(Refused("vectorial(\"M0,0 L1,0 0,1 X\")", Wall()).code, ErrorCode::kBadText);
+  EXPECT_EQ(Refused(kArch, Apply(Extrude(3), Wall())->front().item).code,
+            ErrorCode::kWrongItemType);
+}
+
 TEST(SetProperty, KeepsTheTypeAndIsInherited) {
   const Item free = Made("set_property(\"fixed_geometry\", false)", MadeLayer())[0].item;
   EXPECT_EQ(free.type, ItemType::kLayer);
@@ -94,6 +134,9 @@ TEST(OutType, FollowsTheTypeMaps) {
     EXPECT_EQ(out("set_property", type), type);           // (4.14)
   }
   EXPECT_EQ(out("segment", ItemType::kVolume), std::nullopt);
+  for (const ItemType type : {ItemType::kPlanar, ItemType::kLayer, ItemType::kShape2D}) {
+    EXPECT_EQ(out("vectorial", type), ItemType::kShape2D);  // (4.13)
+  }
   EXPECT_EQ(out("layers", ItemType::kPlanar), ItemType::kLayer);  // (4.11)
   EXPECT_EQ(out("layers", ItemType::kLayer), std::nullopt);
   EXPECT_EQ(out("split", ItemType::kVolume), ItemType::kVolume);
