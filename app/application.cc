@@ -56,8 +56,9 @@ Application::Application(Display* display, SessionThread* session, ApplicationOp
       session_(session),
       options_(std::move(options)),
       settings_(options_.settings),
-      folders_(
-          [state = options_.state_folder](const std::string& path) { return ListOf(path, state); }),
+      folders_([folders = options_.folders](const FolderRequest& request) {
+        return ListOf(request, folders);
+      }),
       keeper_([path = options_.settings_path](const Settings& settings) -> Result<void> {
         if (path.empty()) return {};
         return WriteSettings(settings, path);
@@ -119,14 +120,16 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
   // While a line is being drawn, panels have stepped aside and wait.
-  if (!panel_events_.empty() || (panels_stale_ && !ink_->drawing())) RunPanels({});
+  const bool stale = panels_stale_ || word_stale_;
+  if (!panel_events_.empty() || (stale && !ink_->drawing())) RunPanels({});
   return DrawFrame();
 }
 
 bool Application::Settled() const {
   return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
-         !canvas_->NeedsDraw() && !sync_at_s_ && !(panels_stale_ && !ink_->drawing()) &&
-         !display_->HasNews() && fed_.empty() && !folders_.busy() && !trials_.busy();
+         !canvas_->NeedsDraw() && !sync_at_s_ &&
+         !((panels_stale_ || word_stale_) && !ink_->drawing()) && !display_->HasNews() &&
+         fed_.empty() && !folders_.busy() && !trials_.busy();
 }
 
 void Application::Wait(double wait_s, std::span<const int> also) const {
@@ -193,13 +196,14 @@ void Application::LookFrom(const Camera& camera) {
   seen.width_px = display_->size_px().x;
   seen.height_px = display_->size_px().y;
   looking_.Set(seen);
-  hands_.SetView(seen, {settings_.left_handed, std::nullopt});
+  hands_.SetView(seen, {settings_.left_handed, display_->outputs()});
   Looked(true);
 }
 
 void Application::SettingsChanged() {
   hands_.SetFingerDraws(settings_.finger_draws);
-  hands_.SetView(looking_.camera(), {settings_.left_handed, std::nullopt});
+  hands_.SetView(looking_.camera(), {settings_.left_handed, display_->outputs()});
+  display_->SetLeftHanded(settings_.left_handed);
   const auto table = settings_.bindings.empty()
                          ? Result<input::BindingTable>(input::DefaultBindings())
                          : input::ReadBindings(settings_.bindings);
@@ -228,6 +232,7 @@ void Application::Looked(bool changed) {
   ink_->Show(*snapshot_, looking_.camera());
   marks_stale_ = true;
   hovering_.End();
+  SetPenWord("");
   // Looking around in an empty document is no reason to begin one on the disk.
   if (posted_ > 0 || !snapshot_->state->model.lots().empty()) sync_at_s_ = Now_s() + kRest_s;
 }
@@ -261,16 +266,27 @@ void Application::Take(const input::TapGesture& tap) {
 void Application::Take(const HoverAct& act) {
   pen_.position_px = act.px;
   marks_stale_ |= hovering_.At(act.px, *picture_, looking_.camera(), display_->scale());
+  SetPenWord(hovering_.word());
 }
 
 void Application::Take(const HoverEndAct&) {
   pen_.position_px.reset();
   marks_stale_ |= hovering_.End();
+  SetPenWord("");
+}
+
+/// The word follows the pen; without one panels need not be made anew as it moves.
+void Application::SetPenWord(std::string word) {
+  word_stale_ |= !word.empty() || !pen_.word.empty();
+  pen_.word = std::move(word);
 }
 
 void Application::Take(const PanelAct& act) {
   const auto* key = std::get_if<KeyEvent>(&act.event);
-  if (!key) return panel_events_.push_back(act.event);
+  if (!key) {
+    if (PassesOver(act.event)) return;
+    return panel_events_.push_back(act.event);
+  }
   RunPanels({act.event});  // only they know whether it was theirs: a field, the focus, a sheet
   if (!panel_output_->takes_keys) static_cast<void>(TakeShortcut(*key));
 }
@@ -343,7 +359,11 @@ void Application::Do(const PanelCommand& command) {
   } else if (const auto* request = std::get_if<DocumentRequest>(&command)) {
     Post(*request);
   } else if (const auto* folder = std::get_if<ListFolder>(&command)) {
-    listed_ = folder->path;
+    listed_.folder = folder->path;
+    folders_.Ask(listed_);
+  } else if (const auto* draft = std::get_if<ThrowAway>(&command)) {
+    // All of them each time: a request may be overtaken by the next.
+    listed_.throw_away.emplace_back(draft->path);
     folders_.Ask(listed_);
   } else if (const auto* view = std::get_if<ViewRequest>(&command)) {
     Do(*view);
@@ -364,8 +384,16 @@ void Application::Do(ViewRequest view) {
 
 bool Application::OverPanel(const Vec2& px) {
   if (playing_) return false;
-  RunPanels({PanelPointer{px, false}});
-  return panel_output_->takes_pointer;
+  if (panels_stale_ || !panel_events_.empty()) RunPanels({});
+  return panel_output_->holds_pointer || panel_output_->IsOverSheet(px);
+}
+
+/// A pointer that hovers beside the panels, as it did before, is nothing to them.
+bool Application::PassesOver(const PanelEvent& event) {
+  const bool was_theirs = pointer_is_panels_;
+  const auto* pointer = std::get_if<PanelPointer>(&event);
+  pointer_is_panels_ = pointer && (pointer->down || OverPanel(pointer->px));
+  return !std::holds_alternative<PanelScroll>(event) && !was_theirs && !pointer_is_panels_;
 }
 
 PanelView Application::ViewForPanels() const {
@@ -386,7 +414,7 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   std::vector<PanelEvent> all = std::move(panel_events_);
   panel_events_.clear();
   all.insert(all.end(), events.begin(), events.end());
-  panels_stale_ = false;
+  panels_stale_ = word_stale_ = false;
   panel_output_ = &panels_->Frame(ViewForPanels(), {Now_s(), std::move(all)});
   if (panel_output_->letters != letters_ && panel_output_->letters) {
     letters_ = panel_output_->letters;

@@ -29,7 +29,7 @@ namespace parti::app {
 struct ApplicationOptions {
   Settings settings;
   std::string settings_path;  ///< "": changes are not kept
-  std::string state_folder;   ///< of the recent files (user_folders.h)
+  UserFolders folders = {};   ///< of drafts and recent files; "" for none
   std::function<void(const SessionSnapshot&)> on_snapshot;  ///< told of each; may be empty
 };
 
@@ -102,6 +102,8 @@ class Application {
   uint64_t Post(SessionRequest request);
 
   bool OverPanel(const Vec2& px);
+  bool PassesOver(const PanelEvent& event);
+  void SetPenWord(std::string word);
   void RunPanels(std::vector<PanelEvent> events);
   PanelView ViewForPanels() const;
   void ShowMarks();
@@ -119,17 +121,19 @@ class Application {
   std::unique_ptr<ModelPicture> picture_;
   std::unique_ptr<Panels> panels_;
   std::unique_ptr<InkDesk> ink_;
-  LatestWorker<std::string, PanelFiles> folders_;
+  LatestWorker<FolderRequest, PanelFiles> folders_;
   LatestWorker<Settings, Result<void>> keeper_;
   Trials trials_;
 
   std::shared_ptr<const SessionSnapshot> snapshot_;
   const PanelOutput* panel_output_ = nullptr;
   std::shared_ptr<const render::Image> letters_;
-  std::string listed_;  // the folder that the document sheet shows
+  FolderRequest listed_;  // the folder that the document sheet shows; drafts thrown away so far
   std::vector<InputEvent> fed_;
   std::vector<PanelEvent> panel_events_;  // since the last frame of panels
   bool panels_stale_ = true;
+  bool word_stale_ = false;         // the one beside the pen moved or changed
+  bool pointer_is_panels_ = false;  // what they were told last
   PointerMode mode_ = PointerMode::kDraw;
   PanelPen pen_;
   std::optional<Vec2> tapped_px_;

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/document_lock.h"
 #include "app/user_folders.h"
 
 namespace parti::app {
@@ -57,6 +58,30 @@ std::vector<std::string> DraftsIn(const std::string& data_folder) {
   std::vector<std::string> paths;
   for (auto& [time, path] : found) paths.push_back(std::move(path));
   return paths;
+}
+
+std::vector<std::string> DraftsLeft(const std::string& data_folder) {
+  std::vector<std::string> paths = DraftsIn(data_folder);
+  std::erase_if(paths,
+                [](const std::string& path) { return DocumentLock::HolderOf(path).has_value(); });
+  return paths;
+}
+
+Result<void> ThrowAwayDraft(const std::string& data_folder, const std::string& path) {
+  const std::vector<std::string> drafts = DraftsIn(data_folder);
+  if (std::find(drafts.begin(), drafts.end(), path) == drafts.end()) {
+    return Fail(ErrorCode::kFile, fmt::format("{} is no draft", path));
+  }
+  if (const auto holder = DocumentLock::HolderOf(path)) {
+    return Fail(ErrorCode::kFile, fmt::format("{} is open in {}", path, *holder), "close it there");
+  }
+  std::error_code failed;
+  fs::remove(path, failed);
+  if (failed) {
+    return Fail(ErrorCode::kFile, fmt::format("can't delete {}: {}", path, failed.message()));
+  }
+  for (const char* beside : {"-wal", "-shm"}) fs::remove(path + beside, failed);
+  return {};
 }
 
 }  // namespace parti::app

@@ -17,4 +17,11 @@ Result<std::string> NewDraftPath(const std::string& data_folder);
 /// Drafts that were left there, by a kill or by ending without saving; newest first.
 std::vector<std::string> DraftsIn(const std::string& data_folder);
 
+/// Those of them that nobody has open, this process included.
+std::vector<std::string> DraftsLeft(const std::string& data_folder);
+
+/// Deletes a draft for good, with what SQLite keeps beside it.
+/// errors  kFile  it is no draft of that folder; somebody has it open; it can't be deleted.
+Result<void> ThrowAwayDraft(const std::string& data_folder, const std::string& path);
+
 }  // namespace parti::app

@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace parti::app {
 namespace {
@@ -42,6 +45,29 @@ std::optional<FileIdentity> IdentityOf(int fd) {
   return ::fstat(fd, &status) == 0 ? IdentityOf(status) : std::nullopt;
 }
 
+/// The files that this process has locked: asking the kernel would need a descriptor, and closing
+/// that gives up SQLite's locks on the file.
+class OwnLocks {
+ public:
+  static void Add(const FileIdentity& file) {
+    const std::lock_guard lock(mutex_);
+    files_.emplace_back(file);
+  }
+  static void Remove(const FileIdentity& file) {
+    const std::lock_guard lock(mutex_);
+    const auto at = std::find(files_.begin(), files_.end(), file);
+    if (at != files_.end()) files_.erase(at);
+  }
+  static bool Has(const std::optional<FileIdentity>& file) {
+    const std::lock_guard lock(mutex_);
+    return file && std::find(files_.begin(), files_.end(), *file) != files_.end();
+  }
+
+ private:
+  inline static std::mutex mutex_;
+  inline static std::vector<FileIdentity> files_;
+};
+
 /// "Parti (process 4711)", as far as can be told.
 std::string OwnerOf(int fd) {
   struct flock asked = Lock(kOwnerByte);
@@ -67,6 +93,8 @@ Result<DocumentLock> DocumentLock::Take(const std::string& path) {
   if (::fcntl(fd, F_OFD_SETLK, &wanted) == 0) {
     struct flock owner = Lock(kOwnerByte);
     ::fcntl(fd, F_SETLK, &owner);  // only tells the name: no matter if it fails
+    OwnLocks::Add(lock.identity_);
+    lock.locked_ = true;
     return lock;
   }
   if (errno == EAGAIN || errno == EACCES) {
@@ -80,6 +108,7 @@ Result<DocumentLock> DocumentLock::Take(const std::string& path) {
 }
 
 std::optional<std::string> DocumentLock::HolderOf(const std::string& path) {
+  if (OwnLocks::Has(IdentityOf(path))) return "this Parti";
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return std::nullopt;
   struct flock asked = Lock(kLockByte);
@@ -92,16 +121,19 @@ std::optional<std::string> DocumentLock::HolderOf(const std::string& path) {
 DocumentLock::DocumentLock(DocumentLock&& other) noexcept
     : path_(std::move(other.path_)),
       fd_(std::exchange(other.fd_, -1)),
+      locked_(std::exchange(other.locked_, false)),
       identity_(other.identity_) {}
 
 DocumentLock& DocumentLock::operator=(DocumentLock&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(fd_, other.fd_);
+  std::swap(locked_, other.locked_);
   std::swap(identity_, other.identity_);
   return *this;
 }
 
 DocumentLock::~DocumentLock() {
+  if (locked_) OwnLocks::Remove(identity_);
   if (fd_ >= 0) ::close(fd_);
 }
 

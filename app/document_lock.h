@@ -28,7 +28,8 @@ class DocumentLock {
   ///         you may not write the file; its file system has no locks. The hint says what to do.
   static Result<DocumentLock> Take(const std::string& path);
 
-  /// Who has the document open for writing, "another Parti (process 4711)"; nothing where nobody.
+  /// Who has the document open for writing, "another Parti (process 4711)", "this Parti"; nothing
+  /// where nobody.
   static std::optional<std::string> HolderOf(const std::string& path);
 
   DocumentLock(DocumentLock&& other) noexcept;
@@ -47,6 +48,7 @@ class DocumentLock {
 
   std::string path_;
   int fd_ = -1;
+  bool locked_ = false;
   FileIdentity identity_;
 };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "app/document_drafts.h"
 #include "app/recent_files.h"
 
 namespace parti::app {
@@ -31,12 +32,23 @@ fs::path Absolute(const std::string& path) {
   return failed ? fs::path("/") : absolute.lexically_normal();
 }
 
+bool IsIn(const fs::path& folder, const fs::path& path) { return path.parent_path() == folder; }
+
 }  // namespace
 
-PanelFiles ListOf(const std::string& path, const std::string& state_folder) {
+PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders) {
   PanelFiles files;
-  files.recent = RecentFiles(state_folder);
-  const fs::path folder = Absolute(path);
+  for (const std::string& draft : request.throw_away) {
+    std::error_code unknown;
+    if (!fs::exists(draft, unknown)) continue;
+    const auto gone = ThrowAwayDraft(folders.data, draft);
+    if (!gone) files.trouble = gone.error().message;
+  }
+  if (!folders.data.empty()) files.drafts = DraftsLeft(folders.data);
+  files.recent = RecentFiles(folders.state);
+  const fs::path drafts = fs::path(folders.data) / "drafts";
+  std::erase_if(files.recent, [&](const auto& path) { return IsIn(drafts, path); });
+  const fs::path folder = Absolute(request.folder);
   files.folder = folder.string();
   std::error_code failed;
   for (fs::directory_iterator i(folder, failed), end; !failed && i != end; i.increment(failed)) {

@@ -2,15 +2,25 @@
 // Opening files is others' business.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/panels/panel_view.h"
+#include "app/user_folders.h"
 
 namespace parti::app {
 
+/// What is asked of the folders.
+struct FolderRequest {
+  std::string folder;  ///< absolute or relative to the program's; "" is the user's home
+  std::vector<std::string> throw_away = {};  ///< drafts; such as are gone already don't matter
+};
+
 /// Folders first, then documents, rules and drawings, each by name without regard to capitals;
-/// nothing hidden. A folder that can't be read has nothing in it. At most kMostFiles.
-/// path  absolute or relative to the program's folder; "" is the user's home.
-/// state_folder  where the recent files are kept (recent_files.h).
-PanelFiles ListOf(const std::string& path, const std::string& state_folder);
+/// nothing hidden. A folder that can't be read has nothing in it. At most kMostFiles. Drafts that
+/// are thrown away are deleted first; those that are left are listed apart, not among the recent
+/// files.
+PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders);
 
 inline constexpr size_t kMostFiles = 2000;
 

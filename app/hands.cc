@@ -18,12 +18,14 @@ void Erase(std::vector<T>* from, const T& value) {
 
 }  // namespace
 
-void Hands::SetView(const Camera& camera, const MappingOptions& options) {
+void Hands::SetView(const Camera& camera, Desk desk) {
   camera_ = camera;
-  options_ = options;
-  for (auto& [number, device] : devices_) {
-    device.mapping = TabletMapping(device.facts, camera, options);
-  }
+  desk_ = std::move(desk);
+  for (auto& [number, device] : devices_) device.mapping = MappingOf(device.facts);
+}
+
+TabletMapping Hands::MappingOf(const DeviceFacts& facts) const {
+  return {facts, camera_, {desk_.left_handed, OwnOutput(facts, desk_.outputs)}};
 }
 
 bool Hands::pen_present() const {
@@ -81,7 +83,7 @@ std::vector<Act> Hands::LiftAll() {
 Hands::Device& Hands::DeviceOf(int number) {
   const auto found = devices_.find(number);
   if (found != devices_.end()) return found->second;
-  return devices_.emplace(number, Device{{}, TabletMapping({}, camera_, options_)}).first->second;
+  return devices_.emplace(number, Device{{}, MappingOf({})}).first->second;
 }
 
 Vec2 Hands::PixelOf(int device, const Vec2& position_mm) {
@@ -93,8 +95,7 @@ Vec2 Hands::PixelOf(int device, const Vec2& position_mm) {
 
 void Hands::Meet(const DeviceEvent& event, std::vector<Act>* acts) {
   if (event.kind == DeviceEvent::Kind::kAdded) {
-    devices_.insert_or_assign(event.device,
-                              Device{event.facts, TabletMapping(event.facts, camera_, options_)});
+    devices_.insert_or_assign(event.device, Device{event.facts, MappingOf(event.facts)});
     return;
   }
   if (on_panel_ && on_panel_->device == event.device) {

@@ -63,6 +63,14 @@ struct PanelAct {
 using Act = std::variant<DragAct, HoverAct, HoverEndAct, WheelAct, PanelAct, input::OrbitGesture,
                          input::PanZoomGesture, input::TapGesture>;
 
+/// What one desk looks like to all its devices.
+struct Desk {
+  bool left_handed = false;
+  std::vector<OutputPlace> outputs = {};  ///< that are plugged in; empty: nobody knows
+
+  bool operator==(const Desk&) const = default;
+};
+
 /// Whether a panel lies under a pixel; asked when something comes down or hovers there.
 using OverPanel = std::function<bool(const Vec2& px)>;
 
@@ -75,7 +83,7 @@ using OverPanel = std::function<bool(const Vec2& px)>;
 class Hands {
  public:
   /// The size of the view; new mappings hold from the next report on.
-  void SetView(const Camera& camera, const MappingOptions& options);
+  void SetView(const Camera& camera, Desk desk);
   void SetBindings(input::BindingTable table) { bindings_.SetTable(std::move(table)); }
   void SetFingerDraws(bool draws) { gestures_.SetFingerDraws(draws); }
   /// What drags do that would draw: kDraw but where a tool has been chosen.
@@ -104,6 +112,7 @@ class Hands {
     bool operator==(const Contact&) const = default;
   };
 
+  TabletMapping MappingOf(const DeviceFacts& facts) const;
   Device& DeviceOf(int number);
   Vec2 PixelOf(int device, const Vec2& position_mm);
   void Meet(const DeviceEvent& event, std::vector<Act>* acts);
@@ -118,7 +127,7 @@ class Hands {
   void EndHover(std::vector<Act>* acts);
 
   Camera camera_;
-  MappingOptions options_;
+  Desk desk_;
   std::map<int, Device> devices_;
   input::PalmArbitration palms_;
   input::Gestures gestures_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/model_picture.h"
@@ -17,6 +18,9 @@ class Hovering {
   /// scale: of the display.
   bool At(const Vec2& px, const ModelPicture& picture, const Camera& camera, double scale);
   bool End();
+
+  /// "corner of Facade"; "" where nothing is hovered over.
+  std::string word() const { return snap_ ? snap_->word : ""; }
 
   /// Adds what is to be seen of it in a view.
   void AddMarks(const ModelPicture& picture, const View& view,

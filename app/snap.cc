@@ -19,9 +19,14 @@ bool LiesOn(const Plane& plane, const Segment3& edge) {
   return off(edge.a) < kOnPlane_m && off(edge.b) < kOnPlane_m;
 }
 
+/// Its own name, else that of the nearest shape above it that has one.
 std::string NameOf(const Model& model, const ShapeRef& ref) {
-  const std::string_view name = model.derived[ref.lot]->tree.Name(ShapeAt(model, ref).symbol);
-  return name.empty() ? "shape" : std::string(name);
+  const grammar::ShapeTree& tree = model.derived[ref.lot]->tree;
+  for (auto shape = ref.shape; shape != grammar::kNoShape; shape = tree[shape].parent) {
+    const std::string_view name = tree.Name(tree[shape].symbol);
+    if (!name.empty()) return std::string(name);
+  }
+  return "shape";
 }
 
 /// The nearest of what has been seen so far.

@@ -16,7 +16,9 @@ struct Snap {
   Kind kind = Kind::kFace;
   Vec3 point{0, 0, 0};  ///< of it, nearest to the pixel; m
   Segment3 edge;        ///< kEdge: all of it
-  std::string word;     ///< "corner of Facade", "edge of Facade", "Facade"
+  /// "corner of Facade", "edge of Facade", "Facade"; of a shape without a name that of the nearest
+  /// above it.
+  std::string word;
 };
 
 /// ref       the shape seen at px.

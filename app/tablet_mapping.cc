@@ -7,6 +7,14 @@ namespace parti::app {
 
 namespace {
 
+/// By how much two surfaces differ in the side that differs more, as a ratio of at least 1.
+double DifferenceOf(const Vec2& a, const Vec2& b) {
+  const auto ratio = [](double x, double y) {
+    return x > 0 && y > 0 ? std::max(x / y, y / x) : HUGE_VAL;
+  };
+  return std::max(ratio(a.x, b.x), ratio(a.y, b.y));
+}
+
 /// The part of the view that a screen shows, if that is known.
 std::optional<ViewRect> Shown(const DeviceFacts& device, const Vec2& view_px,
                               const MappingOptions& options) {
@@ -21,6 +29,23 @@ std::optional<ViewRect> Shown(const DeviceFacts& device, const Vec2& view_px,
 }
 
 }  // namespace
+
+std::optional<ViewRect> OwnOutput(const DeviceFacts& device, std::span<const OutputPlace> outputs) {
+  if (!device.has_display || outputs.empty()) return std::nullopt;
+  const bool unsaid = !device.size_mm || !outputs[0].size_mm;
+  if (outputs.size() == 1 && unsaid) return outputs[0].in_view;
+  if (!device.size_mm) return std::nullopt;
+  const OutputPlace* own = nullptr;
+  double own_part = 1 + kSamePart;
+  for (const OutputPlace& output : outputs) {
+    const double part = output.size_mm ? DifferenceOf(*output.size_mm, *device.size_mm) : HUGE_VAL;
+    const bool as_near = own && part == own_part && output.in_view && !own->in_view;
+    if (part >= own_part && !as_near) continue;
+    own = &output;
+    own_part = part;
+  }
+  return own ? own->in_view : std::nullopt;
+}
 
 TabletMapping::TabletMapping(const DeviceFacts& device, const Camera& camera,
                              const MappingOptions& options)

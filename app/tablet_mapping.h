@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "base/camera.h"
 #include "base/event.h"
@@ -32,6 +33,23 @@ struct MappingOptions {
 
   bool operator==(const MappingOptions&) const = default;
 };
+
+/// A screen that is plugged in.
+struct OutputPlace {
+  std::optional<Vec2> size_mm = {};      ///< of its picture, where it says so
+  std::optional<ViewRect> in_view = {};  ///< where it shows the view; absent: it shows none of it
+
+  bool operator==(const OutputPlace&) const = default;
+};
+
+/// Where in the view a device's own screen lies: MappingOptions::own_output.
+///
+/// A device that is no screen has none. The output of its size is its own (to kSamePart, since
+/// screens count centimetres; of two alike the nearer, then the first that shows the view); where
+/// sizes are not known, an only one is. Nothing where that is not shown, or not known: then the
+/// device is mapped by its shape.
+std::optional<ViewRect> OwnOutput(const DeviceFacts& device, std::span<const OutputPlace> outputs);
+inline constexpr double kSamePart = 0.06;
 
 /// One device in one view.
 class TabletMapping {

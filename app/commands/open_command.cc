@@ -103,7 +103,7 @@ Result<std::optional<T>> Opened(const std::string& path) {
 ApplicationOptions UsersOptions() {
   ApplicationOptions with;
   with.settings_path = SettingsPath();
-  with.state_folder = UserFoldersFromEnvironment().state;
+  with.folders = UserFoldersFromEnvironment();
   auto settings = ReadSettings(with.settings_path);
   if (settings) {
     with.settings = *settings;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/tablet_mapping.h"
 #include "base/error.h"
 #include "base/event.h"
 #include "render/gl_context.h"
@@ -21,7 +22,7 @@ namespace parti::app {
 /// What happened since the last Dispatch.
 struct DisplayNews {
   std::vector<InputEvent> input;  ///< in order, times never decreasing
-  bool resized = false;           ///< size_px() or scale() are others than before
+  bool resized = false;           ///< size_px(), scale() or outputs() are others than before
   bool exposed = false;           ///< what was shown is lost: draw the whole picture
   bool close_asked = false;       ///< the user wants the program to end
   bool hidden = false;            ///< nobody sees it any more: another console, an icon
@@ -62,6 +63,12 @@ class Display {
   virtual double scale() const = 0;
   /// Of the view as it is seen, where the screen says it.
   virtual std::optional<Vec2> size_mm() const = 0;
+  /// The screens that are plugged in, and where they show the view; empty where a desktop keeps
+  /// them to itself. News::resized says that they are others.
+  virtual std::vector<OutputPlace> outputs() const { return {}; }
+  /// Swaps the buttons of mice and touchpads, where the display reads them itself; a desktop does
+  /// it by its own settings.
+  virtual void SetLeftHanded(bool left_handed) = 0;
   /// Whether the system shows a pointer of its own over the view.
   virtual bool shows_pointer() const = 0;
   /// "kms", "x11" or "offscreen".

@@ -46,6 +46,10 @@ class KmsDisplay final : public Display {
   glm::ivec2 size_px() const override { return size_px_; }
   double scale() const override { return scale_; }
   std::optional<Vec2> size_mm() const override { return output_ ? output_->size_mm : std::nullopt; }
+  std::vector<OutputPlace> outputs() const override;
+  void SetLeftHanded(bool left_handed) override {
+    reader_->Alone([&] { source_.SetLeftHanded(left_handed); });
+  }
   bool shows_pointer() const override { return false; }
   std::string_view name() const override { return "kms"; }
   std::string Description() const override;
@@ -60,6 +64,7 @@ class KmsDisplay final : public Display {
   Result<DisplayNews> Dispatch() override;
 
  private:
+  Result<void> LookForScreens(bool anew, DisplayNews* news);
   Result<void> ChooseScreen(bool anew, DisplayNews* news);
   Result<void> TakeSeatNews(DisplayNews* news);
   Result<void> TakeInput(DisplayNews* news);
@@ -77,6 +82,7 @@ class KmsDisplay final : public Display {
   std::unique_ptr<render::KmsScreen> screen_;
   render::Gl gl_;
   std::string renderer_;
+  std::vector<KmsOutput> outputs_;  // as they were read last
   std::optional<KmsOutput> output_;
   drmModeModeInfo mode_{};
   glm::ivec2 size_px_{1, 1};
@@ -87,6 +93,7 @@ class KmsDisplay final : public Display {
   int retries_ = 0;
   ConsoleKeys console_keys_;
   std::map<int, Vec2> pens_mm_;  // areas, by device
+  bool pen_came_ = false;        // since the screen was chosen
   std::vector<InputEvent> first_news_;
 };
 
@@ -108,7 +115,7 @@ Result<void> KmsDisplay::Start() {
   gl_ = *gl;
   renderer_ = screen_->context().Renderer();
   DisplayNews unused;
-  if (const auto chosen = ChooseScreen(false, &unused); !chosen) return chosen;
+  if (const auto chosen = LookForScreens(false, &unused); !chosen) return chosen;
   if (!output_ && !spec_.output.empty()) {
     return Fail(ErrorCode::kDevice, fmt::format("no screen is plugged into {}", spec_.output),
                 fmt::format("`ls /sys/class/drm` shows the sockets of {}", card_->path()));
@@ -131,19 +138,41 @@ std::vector<Vec2> KmsDisplay::Pens_mm() const {
   return areas;
 }
 
-/// Looks which screens are there, and goes to another one, or another mode, where that is better.
+std::vector<OutputPlace> KmsDisplay::outputs() const {
+  std::vector<OutputPlace> places;
+  for (const KmsOutput& output : outputs_) {
+    if (!output.connected) continue;
+    OutputPlace place{output.size_mm, std::nullopt};
+    const bool shown = output_ && output_->connector == output.connector;
+    if (shown) place.in_view = ViewRect{{0, 0}, Vec2(size_px_)};
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// Looks which screens are there, which may take a while, and chooses among them.
+Result<void> KmsDisplay::LookForScreens(bool anew, DisplayNews* news) {
+  auto outputs = render::ReadKmsOutputs(card_->fd());
+  if (!outputs) return Fail(outputs);
+  const std::vector<OutputPlace> before = this->outputs();
+  outputs_ = std::move(*outputs);
+  const auto chosen = ChooseScreen(anew, news);
+  news->resized |= this->outputs() != before;
+  return chosen;
+}
+
+/// Goes to another screen, or another mode, where that is better.
 /// anew: what is chosen already has to be set once more.
 Result<void> KmsDisplay::ChooseScreen(bool anew, DisplayNews* news) {
-  const auto outputs = render::ReadKmsOutputs(card_->fd());
-  if (!outputs) return Fail(outputs);
-  const auto chosen = render::ChooseOutput(*outputs, spec_.output, Pens_mm());
-  const auto mode = chosen ? render::ChooseMode((*outputs)[*chosen]) : std::nullopt;
+  pen_came_ = false;
+  const auto chosen = render::ChooseOutput(outputs_, spec_.output, Pens_mm());
+  const auto mode = chosen ? render::ChooseMode(outputs_[*chosen]) : std::nullopt;
   if (!mode) {
     if (output_) screen_->Leave();
     output_.reset();
     return {};
   }
-  const KmsOutput& output = (*outputs)[*chosen];
+  const KmsOutput& output = outputs_[*chosen];
   const bool same = output_ && output_->connector == output.connector &&
                     mode->hdisplay == mode_.hdisplay && mode->vdisplay == mode_.vdisplay &&
                     mode->clock == mode_.clock;
@@ -199,7 +228,7 @@ Result<void> KmsDisplay::TakeSeatNews(DisplayNews* news) {
     const auto resumed = reader_->Alone([&] { return source_.Resume(); });
     if (!resumed) return resumed;
     retries_ = 0;
-    return ChooseScreen(true, news);
+    return LookForScreens(true, news);
   }
   return {};
 }
@@ -209,6 +238,7 @@ void KmsDisplay::TakeDevice(const DeviceEvent& event) {
     pens_mm_.erase(event.device);
   } else if (event.facts.has_pen && event.facts.size_mm) {
     pens_mm_[event.device] = *event.facts.size_mm;
+    pen_came_ = true;
   }
 }
 
@@ -249,7 +279,10 @@ Result<DisplayNews> KmsDisplay::Dispatch() {
   if (seat_->active() && (slept || plugged != CardWatch::News::kNone)) {
     // A screen that was switched off and on says no more than that something happened.
     const bool anew = slept || plugged == CardWatch::News::kPerhapsOurs;
-    if (const auto chosen = ChooseScreen(anew, &news); !chosen) return Fail(chosen);
+    if (const auto chosen = LookForScreens(anew, &news); !chosen) return Fail(chosen);
+  } else if (seat_->active() && pen_came_) {
+    // A display tablet tells its screen and its pen one after the other.
+    if (const auto chosen = ChooseScreen(false, &news); !chosen) return Fail(chosen);
   }
   news.shown = !was_visible && Visible();
   news.hidden = was_visible && !Visible();

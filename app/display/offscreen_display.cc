@@ -21,6 +21,7 @@ struct Wishes {
   std::optional<glm::ivec2> size_px;
   std::optional<double> scale;
   std::optional<bool> visible;
+  std::optional<std::vector<OutputPlace>> outputs;
   std::optional<Error> broken;
 };
 
@@ -45,6 +46,9 @@ class MemoryDisplay final : public OffscreenDisplay {
   glm::ivec2 size_px() const override { return size_px_; }
   double scale() const override { return scale_; }
   std::optional<Vec2> size_mm() const override { return std::nullopt; }
+  std::vector<OutputPlace> outputs() const override { return outputs_; }
+  void SetLeftHanded(bool left_handed) override { left_handed_ = left_handed; }
+  bool left_handed() const override { return left_handed_; }
   bool shows_pointer() const override { return false; }
   std::string_view name() const override { return "offscreen"; }
   std::string Description() const override {
@@ -64,6 +68,9 @@ class MemoryDisplay final : public OffscreenDisplay {
   void Resize(const glm::ivec2& size_px, double scale) override {
     CHECK(size_px.x > 0 && size_px.y > 0 && scale > 0, "a view has a size");
     Wish([&](Wishes* wishes) { wishes->size_px = size_px, wishes->scale = scale; });
+  }
+  void PlugOutputs(std::vector<OutputPlace> outputs) override {
+    Wish([&](Wishes* wishes) { wishes->outputs = std::move(outputs); });
   }
   void AskToClose() override {
     Wish([](Wishes* wishes) { wishes->news.close_asked = true; });
@@ -94,6 +101,8 @@ class MemoryDisplay final : public OffscreenDisplay {
   glm::ivec2 size_px_;
   double scale_;
   bool visible_ = true;
+  bool left_handed_ = false;
+  std::vector<OutputPlace> outputs_;
   bool fresh_ = true;  // nothing has been presented in the framebuffer
   std::vector<render::PixelRect> presented_;
   int frames_ = 0;
@@ -152,6 +161,10 @@ Result<DisplayNews> MemoryDisplay::Dispatch() {
   if (wishes.visible && *wishes.visible != visible_) {
     visible_ = *wishes.visible;
     (visible_ ? news.shown : news.hidden) = true;
+  }
+  if (wishes.outputs) {
+    outputs_ = std::move(*wishes.outputs);
+    news.resized = true;
   }
   if (wishes.size_px && (*wishes.size_px != size_px_ || *wishes.scale != scale_)) {
     size_px_ = *wishes.size_px;

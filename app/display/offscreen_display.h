@@ -27,6 +27,7 @@ class OffscreenDisplay : public Display {
   /// What the next Dispatch gives; all of these may be called from any thread.
   virtual void Inject(const InputEvent& event) = 0;
   virtual void Resize(const glm::ivec2& size_px, double scale) = 0;
+  virtual void PlugOutputs(std::vector<OutputPlace> outputs) = 0;
   virtual void AskToClose() = 0;
   virtual void LoseFocus() = 0;
   virtual void SetVisible(bool visible) = 0;
@@ -37,7 +38,8 @@ class OffscreenDisplay : public Display {
   virtual Result<render::Image> ReadPixels() = 0;
   /// What the last Present was told.
   virtual const std::vector<render::PixelRect>& presented() const = 0;
-  virtual int frames() const = 0;  ///< presented so far
+  virtual int frames() const = 0;        ///< presented so far
+  virtual bool left_handed() const = 0;  ///< as it was told last
 };
 
 }  // namespace parti::app

@@ -34,6 +34,7 @@ class X11Display final : public Display {
   double scale() const override { return window_->scale(); }
   // Servers make the millimetres up from 96 px an inch.
   std::optional<Vec2> size_mm() const override { return std::nullopt; }
+  void SetLeftHanded(bool) override {}  // the desktop's own settings do
   bool shows_pointer() const override { return true; }
   std::string_view name() const override { return "x11"; }
   std::string Description() const override {

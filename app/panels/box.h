@@ -13,6 +13,7 @@ namespace parti::app::panels {
 struct Box {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
+  bool operator==(const Box&) const = default;
   float width() const { return x1 - x0; }
   float height() const { return y1 - y0; }
   float middle_x() const { return (x0 + x1) / 2; }

@@ -1,6 +1,7 @@
 // The document's sheets: new, open, save as, recent, with a list of files of our own. Names come
 // in PanelView::files; nothing is read or written here.
 #include "app/panels/sheet_rows.h"
+#include "app/panels/words.h"
 
 namespace parti::app::panels {
 namespace {
@@ -62,6 +63,9 @@ void DocumentRows(Ui* ui, Memory* memory, Form* form) {
   if (form->Choice(record)) {
     Ask(ui, memory, {Kind::kRecordForReport, Joined(files.folder, "parti-report.pen")});
   }
+  if (!files.trouble.empty()) form->Words(Capital(files.trouble) + ".");
+  if (!files.drafts.empty()) form->Label("Drafts that were left");
+  DraftRows(ui, memory, form, files.drafts.size());
   if (files.recent.empty()) return;
   form->Label("Recent");
   for (const std::string& path : files.recent) {

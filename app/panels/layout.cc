@@ -65,6 +65,32 @@ Box HandAt(const Vec2& pen_px, bool left_handed, double scale) {
                      : Box{x - tip, y - tip, x + width, y + height};
 }
 
+Box StandingCards::Stand(const Box& stroke_now, const std::optional<Vec2>& pen_px, float width,
+                         float height, const Box& room_now, bool left_handed, double scale) {
+  const bool same_size =
+      std::abs(at.width() - width) < 0.5f && std::abs(at.height() - height) < 0.5f;
+  if (stroke_now == stroke && room_now == room && same_size) return at;
+  stroke = stroke_now;
+  room = room_now;
+  return at = CardsBeside(stroke, pen_px, width, height, room, left_handed, scale);
+}
+
+Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
+               double scale) {
+  const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
+  const float aside = Units(scale, 10), above = Units(scale, 26), below = Units(scale, 14);
+  const float left = x - aside - width, right = x + aside;
+  const float near = left_handed ? right : left, far = left_handed ? left : right;
+  for (const Box& place :
+       {BoxAt(near, y - above - height, width, height),
+        BoxAt(far, y - above - height, width, height), BoxAt(near, y + below, width, height),
+        BoxAt(far, y + below, width, height)}) {
+    const Box moved = Within(place, room);
+    if (moved.x0 == place.x0 && moved.y0 == place.y0) return place;
+  }
+  return Within(BoxAt(near, y - above - height, width, height), room);
+}
+
 Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
                 const Box& room, bool left_handed, double scale) {
   const float gap = Units(scale, 16);

@@ -44,6 +44,20 @@ Box SheetAt(const Box& button, float width, float height, const Box& room, float
 Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
                 const Box& room, bool left_handed, double scale);
 
+/// Cards that stay where they came up: they don't run away from the pen that is on its way to them.
+struct StandingCards {
+  Box stroke, room, at;
+
+  /// As CardsBeside; where it was before, as long as all but the pen is as it was.
+  Box Stand(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
+            const Box& room, bool left_handed, double scale);
+};
+
+/// A word about what a pen hovers over: beside its tip and above it, on the side away from the
+/// hand, where there is room on the other; within `room` where it fits at all.
+Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
+               double scale);
+
 /// What a hand covers that holds a pen at a place.
 Box HandAt(const Vec2& pen_px, bool left_handed, double scale);
 

@@ -24,6 +24,9 @@ struct Memory {
   std::string file_name;     ///< being given, without its folder
   std::string export_ending = "glb";
   std::string view_name;
+  bool drafts_seen = false;  ///< the card that offers them at the start was closed
+  std::string doomed_draft;  ///< asked about: throw it away?
+  StandingCards suggestions, queries;
   std::vector<int> shown_node;    ///< path of the row in hand that was scrolled into sight
   std::vector<int> dragged_node;  ///< path of the row that is being moved; empty: none
 

@@ -19,7 +19,7 @@ using grammar::SelectionActionNode;
 /// A number of the node, and what the table says of it.
 struct NumberRow {
   Dial dial;
-  std::string label, range;
+  std::string label, range, unit;
   std::optional<double> usual;  ///< its default
 };
 
@@ -35,6 +35,22 @@ const grammar::Parameter* ParameterNamed(const Action& action, std::string_view 
   return at == parameters.end() ? nullptr : &*at;
 }
 
+/// Whether a size only says how it shares the rest with others: it stretches, and is not repeated.
+bool IsShare(const Action& action, int number) {
+  const grammar::Successor* successor = &grammar::SuccessorAt(action, number);
+  const auto* size = std::get_if<grammar::Size>(&successor->key);
+  const bool repeated = action.operation->name == "repeat" ||
+                        std::none_of(action.successors.begin(), action.successors.end(),
+                                     [&](const auto& s) { return &s == successor; });
+  return size && size->kind == grammar::Size::Kind::kFloating && !repeated;
+}
+
+std::string UnitOfDial(const Action& action, const Dial& dial) {
+  int number = 0;
+  const bool is_size = std::sscanf(dial.name.c_str(), "sizes[%d]", &number) == 1 && number >= 0;
+  return is_size && IsShare(action, number) ? "" : UnitOf(dial.kind);
+}
+
 /// "Size of Ground" for sizes[0].
 std::string LabelOf(const Action& action, const Dial& dial) {
   std::string label = dial.name;
@@ -43,9 +59,9 @@ std::string LabelOf(const Action& action, const Dial& dial) {
     const grammar::Successor& successor = grammar::SuccessorAt(action, number);
     const auto* size = std::get_if<grammar::Size>(&successor.key);
     const bool part = size && size->kind == grammar::Size::Kind::kRelative;
-    const bool stretches = size && size->kind == grammar::Size::Kind::kFloating;
+    const bool share = size && IsShare(action, number);
     label = successor.symbol.empty() ? fmt::format("{}", number + 1) : successor.symbol;
-    label = (part ? "part of " : "size of ") + label + (stretches ? ", stretches" : "");
+    label = (part ? "part of " : share ? "share of " : "size of ") + label;
   }
   return Capital(label);
 }
@@ -53,8 +69,9 @@ std::string LabelOf(const Action& action, const Dial& dial) {
 std::vector<NumberRow> NumbersOf(Action* action) {
   std::vector<NumberRow> rows;
   for (const Dial& dial : grammar::Dials(action)) {
-    NumberRow row{dial, LabelOf(*action, dial), {}, {}};
-    const std::string unit = UnitOf(dial.kind);
+    NumberRow row{dial, LabelOf(*action, dial), {}, {}, {}};
+    row.unit = UnitOfDial(*action, dial);
+    const std::string& unit = row.unit;
     row.range = fmt::format("{} to {}{}", PlainNumber(dial.low), PlainNumber(dial.high),
                             unit.empty() ? "" : " " + unit);
     if (const auto* parameter = ParameterNamed(*action, dial.name)) {
@@ -148,9 +165,8 @@ class NodeRows {
     Label(row.label, row.range);
     Box box = Take(ui_->U(kMeasures.target), 3);
     if (draw_) {
-      const NumberLook look{
-          row.dial.name,         value,  row.dial.low, row.dial.high, StepOf(row.dial.kind),
-          UnitOf(row.dial.kind), changed};
+      const NumberLook look{row.dial.name,         value,    row.dial.low, row.dial.high,
+                            StepOf(row.dial.kind), row.unit, changed};
       const NumberWish wish = ui_->Number(look, box);
       if (wish.trial) ui_->Try({row.dial.name, *wish.trial});
       if (wish.commit) ui_->SendTyped(SetNumber{row.dial.name, *wish.commit});
@@ -161,7 +177,7 @@ class NodeRows {
 
   /// The default: named, and to be had again where it was overridden.
   void Usual(const NumberRow& row, bool changed) {
-    const std::string unit = UnitOf(row.dial.kind);
+    const std::string& unit = row.unit;
     const std::string number = PlainNumber(*row.usual) + (unit.empty() ? "" : " " + unit);
     const Box box = Take(ui_->U(changed ? kMeasures.target : 20), 0);
     if (!draw_) return;

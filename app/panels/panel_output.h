@@ -2,6 +2,7 @@
 // triangles for the canvas.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,12 +21,18 @@ struct ListFolder {
   bool operator==(const ListFolder&) const = default;
 };
 
+/// Deletes a draft that was left, for good.
+struct ThrowAway {
+  std::string path;
+  bool operator==(const ThrowAway&) const = default;
+};
+
 /// A look at the model that needs no name: "fit" and the standard views.
 enum class ViewRequest : uint8_t { kFit, kSouth, kEast, kNorth, kWest, kAbove, kNearer, kFarther };
 
 /// For the session thread: Command, DocumentRequest; for the application: the others.
-using PanelCommand =
-    std::variant<Command, DocumentRequest, ListFolder, ViewRequest, PointerMode, Settings>;
+using PanelCommand = std::variant<Command, DocumentRequest, ListFolder, ThrowAway, ViewRequest,
+                                  PointerMode, Settings>;
 
 /// A sheet that lies on the drawing.
 struct PanelSheet {
@@ -57,6 +64,7 @@ struct PanelOutput {
   std::optional<SetNumber> trial;
   std::optional<size_t> preview;  ///< index of the suggestion to show as wire frame
   bool takes_pointer = false;     ///< the pointer is the panels'; draw no ink, orbit nothing
+  bool holds_pointer = false;     ///< it is theirs wherever it goes: a press or a text field
   bool takes_keys = false;  ///< a text field is active, or a key of this frame moved or pressed
                             ///< what has the focus, or opened or closed a sheet
 
@@ -70,6 +78,14 @@ struct PanelOutput {
   std::vector<PanelTarget> targets;  ///< in the order in which Tab goes through them
   std::string focus;                 ///< the target's name that Enter presses; "" none
   std::vector<PanelText> texts;
+
+  /// Whether a pixel is a sheet's.
+  bool IsOverSheet(const Vec2& px) const {
+    return std::any_of(sheets.begin(), sheets.end(), [&](const PanelSheet& sheet) {
+      return px.x >= sheet.low_px.x && px.x < sheet.high_px.x && px.y >= sheet.low_px.y &&
+             px.y < sheet.high_px.y;
+    });
+  }
 };
 
 }  // namespace parti::app

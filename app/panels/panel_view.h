@@ -20,6 +20,7 @@ enum class PointerMode : uint8_t { kDraw, kErase, kSelect, kOrbit, kPan, kZoom }
 struct PanelPen {
   std::optional<Vec2> position_px;  ///< in the view; absent: away
   bool down = false;                ///< it draws on the drawing: panels step aside
+  std::string word = {};            ///< what it hovers over: "corner of Facade"; "" nothing
 };
 
 /// A name in a folder.
@@ -30,9 +31,11 @@ struct PanelFile {
 
 /// Names of files for the document sheet; panels look into no folder themselves.
 struct PanelFiles {
-  std::vector<std::string> recent;  ///< paths of documents, the newest first
-  std::string folder;               ///< path of the folder that `here` lies in
-  std::vector<PanelFile> here;      ///< folders and documents, in the order to show
+  std::vector<std::string> recent;       ///< paths of documents, the newest first
+  std::string folder;                    ///< path of the folder that `here` lies in
+  std::vector<PanelFile> here;           ///< folders and documents, in the order to show
+  std::vector<std::string> drafts = {};  ///< paths of those that were left, the newest first
+  std::string trouble = {};              ///< why a draft could not be thrown away; "" all is well
 };
 
 /// Everything that a frame of panels depends on, input apart.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/drafts.h"
 #include "app/panels/keyboard.h"
 #include "app/panels/node_sheet.h"
 #include "app/panels/queries.h"
@@ -192,10 +193,12 @@ void Panels::Parts::DrawAll() {
   DrawTools(&ui_, memory_);
   if (!keyboard_shown()) DrawStatus(&ui_, &memory_);
   DrawColumn();
-  output_.preview = DrawSuggestions(&ui_, memory_);
-  DrawQueries(&ui_, memory_);
+  output_.preview = DrawSuggestions(&ui_, &memory_);
+  DrawQueries(&ui_, &memory_);
+  DrawLeftDrafts(&ui_, &memory_);
   DrawOpenSheet(&ui_, &memory_);
   if (keyboard_shown()) keyboard_.Draw(&ui_, keyboard_box_);
+  ui_.DrawPenWord();
 }
 
 /// The rules, and under them the node in hand.

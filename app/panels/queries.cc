@@ -44,7 +44,7 @@ Press DrawCard(Ui* ui, const QueryCard& card, size_t i, Box box) {
 
 }  // namespace
 
-void DrawQueries(Ui* ui, const Memory& memory) {
+void DrawQueries(Ui* ui, Memory* memory) {
   if (!ui->view().session) return;
   const Selection& selection = ui->view().session->state->selection;
   if (selection.shapes.empty()) return;
@@ -56,14 +56,14 @@ void DrawQueries(Ui* ui, const Memory& memory) {
     cards.push_back(CardOf(ui, candidate, inner));
     content += cards.back().height + ui->U(2);
   }
-  const Box free = memory.layout.free;
+  const Box free = memory->layout.free;
   const float height = std::min({content + side + 3 * gap, ui->U(420), free.height()});
   const Vec2 tap = ui->view().tapped_px.value_or(Vec2(free.middle_x(), free.middle_y()));
   const float reach = ui->U(20);
   const auto x = static_cast<float>(tap.x), y = static_cast<float>(tap.y);
-  const Box sheet =
-      CardsBeside({x - reach, y - reach, x + reach, y + reach}, ui->view().pen.position_px, width,
-                  height, free, ui->view().settings.left_handed, ui->scale());
+  const Box sheet = memory->queries.Stand({x - reach, y - reach, x + reach, y + reach},
+                                          ui->view().pen.position_px, width, height, free,
+                                          ui->view().settings.left_handed, ui->scale());
   if (!ui->BeginSheet("Queries", sheet)) return;
   Box rest = sheet.Inset(gap);
   Box head = rest.CutTop(side, gap);

@@ -8,6 +8,6 @@
 namespace parti::app::panels {
 
 /// Draws the cards beside the tap.
-void DrawQueries(Ui* ui, const Memory& memory);
+void DrawQueries(Ui* ui, Memory* memory);
 
 }  // namespace parti::app::panels

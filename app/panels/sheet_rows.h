@@ -6,7 +6,9 @@
 
 namespace parti::app::panels {
 
-/// New, open, save as, recent, a recording for a report.
+/// Drafts that were left, the newest first, at most so many: opened or, asked twice, thrown away.
+void DraftRows(Ui* ui, Memory* memory, Form* form, size_t most);
+/// New, open, save as, drafts, recent, a recording for a report.
 void DocumentRows(Ui* ui, Memory* memory, Form* form);
 /// A folder's documents to open, or a name to save as.
 void OpenRows(Ui* ui, Memory* memory, Form* form);

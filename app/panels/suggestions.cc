@@ -60,7 +60,7 @@ Press DrawCard(Ui* ui, const CardText& card, const Suggestion& suggestion, size_
 
 }  // namespace
 
-std::optional<size_t> DrawSuggestions(Ui* ui, const Memory& memory) {
+std::optional<size_t> DrawSuggestions(Ui* ui, Memory* memory) {
   if (!ui->view().session) return std::nullopt;
   const SessionState& state = *ui->view().session->state;
   const auto& suggestions = state.sketch.suggestions;
@@ -74,12 +74,12 @@ std::optional<size_t> DrawSuggestions(Ui* ui, const Memory& memory) {
     cards.push_back(CardOf(ui, suggestion, inner));
     content += cards.back().height + ui->U(2);
   }
-  const Box free = memory.layout.free;
+  const Box free = memory->layout.free;
   const float height = std::min({content + side + 3 * gap, ui->U(340), free.height()});
   const Box stroke =
       LastStroke(state, ui->view().size_px).value_or(BoxAt(free.middle_x(), free.middle_y(), 1, 1));
-  const Box sheet = CardsBeside(stroke, ui->view().pen.position_px, width, height, free,
-                                ui->view().settings.left_handed, ui->U(1));
+  const Box sheet = memory->suggestions.Stand(stroke, ui->view().pen.position_px, width, height,
+                                              free, ui->view().settings.left_handed, ui->scale());
   if (!ui->BeginSheet("Suggestions", sheet)) return std::nullopt;
 
   Box rest = sheet.Inset(gap);

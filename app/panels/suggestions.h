@@ -9,6 +9,6 @@ namespace parti::app::panels {
 
 /// Draws the cards, clear of the stroke and the hand. Returns the suggestion that the pointer or
 /// the keyboard is on.
-std::optional<size_t> DrawSuggestions(Ui* ui, const Memory& memory);
+std::optional<size_t> DrawSuggestions(Ui* ui, Memory* memory);
 
 }  // namespace parti::app::panels

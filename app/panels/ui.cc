@@ -4,6 +4,7 @@
 
 #include <cfloat>
 
+#include "app/panels/layout.h"
 #include "app/panels/words.h"
 
 namespace parti::app::panels {
@@ -47,6 +48,7 @@ void Ui::Begin(const PanelView& view, double scale, PanelOutput* output) {
   pointer_over_ = ImGui::IsAnyItemActive();
   note_.clear();
   output_->sheets.clear();
+  output_->holds_pointer = pointer_over_;
   if (!view.pen.down) aside_.clear();
   std::swap(places_, places_before_);
   places_.clear();
@@ -388,14 +390,27 @@ void Ui::DrawNote() {
   const Box beside = BoxAt(x, note_beside_.middle_y() - height / 2, width, height);
   const Box under =
       BoxAt(note_beside_.middle_x() - width / 2, note_beside_.y1 + U(8), width, height);
-  const Box box = Within(upper ? under : beside, window().Inset(U(4)));
+  DrawNoteIn(note_, Within(upper ? under : beside, window().Inset(U(4))));
+}
+
+void Ui::DrawPenWord() {
+  const PanelPen& pen = view_->pen;
+  if (pen.word.empty() || pen.down || !pen.position_px) return;
+  const Box room = window().Inset(U(4));
+  const std::string word = Elided(pen.word, Letter::kSmall, room.width() - U(20));
+  const float width = TextWidth(word, Letter::kSmall) + U(20);
+  DrawNoteIn(word,
+             WordBeside(*pen.position_px, width, U(28), room, view_->settings.left_handed, scale_));
+}
+
+void Ui::DrawNoteIn(const std::string& text, const Box& box) {
   ImDrawList* over = ImGui::GetForegroundDrawList();
   over->AddRectFilled(Low(box), High(box), palette_->note, U(kMeasures.small_radius));
   const ImFont* font = FontOf(Letter::kSmall);
   over->AddText(font, font->FontSize,
                 {std::floor(box.x0 + U(10)), std::floor(box.middle_y() - font->FontSize / 2)},
-                palette_->on_note, note_.data(), note_.data() + note_.size());
-  output_->texts.push_back({note_,
+                palette_->on_note, text.data(), text.data() + text.size());
+  output_->texts.push_back({text,
                             {box.x0 + U(10), box.middle_y() - font->FontSize / 2},
                             {box.x1 - U(10), box.middle_y() + font->FontSize / 2},
                             {box.x0, box.y0},

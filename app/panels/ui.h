@@ -134,6 +134,8 @@ class Ui {
   void Hairline(const Box& above);  ///< along its lower edge
   void Picture(Icon icon, const Box& box, Tone tone, Ground ground);
   void Note(const std::string& text, const Box& beside);
+  /// What the pen hovers over, beside its tip.
+  void DrawPenWord();
   ImDrawList* list() const;
 
   /// Whether a sheet that is shown would step aside for this pen.
@@ -172,6 +174,7 @@ class Ui {
   NumberWish Typed(const std::string& text, double before);
   NumberWish Drag(const std::string& full, const NumberLook& look, const Press& press);
   void DrawNote();
+  void DrawNoteIn(const std::string& text, const Box& box);
   ImFont* FontOf(Letter letter) const;
   std::vector<std::string> Wrapped(std::string_view text, Letter letter, float width) const;
   std::string Elided(std::string_view text, Letter letter, float width) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace parti::app::panels {
@@ -36,7 +37,7 @@ std::string Along(const Action& action) {
 std::string WordsOf(const Size& size) {
   if (size.kind == Size::Kind::kAbsolute) return Metres(size.value);
   if (size.kind == Size::Kind::kRelative) return PlainNumber(size.value * 100) + " %";
-  return size.value == 1 ? "rest" : "about " + Metres(size.value);
+  return "about " + Metres(size.value);  // of what is repeated: as many as fit
 }
 
 std::string WordsOf(const Successor& successor) {
@@ -53,9 +54,50 @@ std::string WordsOf(const Successor& successor) {
   return successor.symbol;
 }
 
+const Size* FloatingSize(const Successor& successor) {
+  const auto* size = std::get_if<Size>(&successor.key);
+  return size && successor.repeat.empty() && size->kind == Size::Kind::kFloating ? size : nullptr;
+}
+
+/// What stretches shares what the others leave: "rest", and of several unequal ones "2 parts of the
+/// rest".
+std::string WordsOfShare(double share, const std::vector<double>& shares) {
+  const double least = *std::min_element(shares.begin(), shares.end());
+  const bool equal = *std::max_element(shares.begin(), shares.end()) <= least * (1 + 1e-9);
+  if (equal || !(least > 0)) return "rest";
+  return fmt::format("{} × rest", PlainNumber(share / least));
+}
+
+/// "1 : 2 : 1" of what shares the whole.
+std::string Ratio(const std::vector<double>& shares) {
+  const double least = *std::min_element(shares.begin(), shares.end());
+  std::string ratio;
+  for (const double share : shares) {
+    ratio += (ratio.empty() ? "" : " : ") + PlainNumber(least > 0 ? share / least : share);
+  }
+  return ratio;
+}
+
 std::string Parts(const Action& action) {
+  std::vector<double> shares;
+  for (const Successor& s : action.successors) {
+    if (const Size* size = FloatingSize(s)) shares.push_back(size->value);
+  }
+  const size_t count = action.successors.size();
+  const bool all = shares.size() == count && count > 1;
+  const bool equal = all && std::adjacent_find(shares.begin(), shares.end(),
+                                               std::not_equal_to<>()) == shares.end();
+  if (equal) return fmt::format("{} equal parts", count);
+  if (all) return Ratio(shares);
+  if (count == 3 && shares.size() == 2 && shares[0] == shares[1] &&
+      !FloatingSize(action.successors[1])) {
+    return WordsOf(action.successors[1]) + " in the middle";
+  }
   std::string parts;
-  for (const Successor& s : action.successors) parts += (parts.empty() ? "" : ", ") + WordsOf(s);
+  for (const Successor& s : action.successors) {
+    const Size* size = FloatingSize(s);
+    parts += (parts.empty() ? "" : ", ") + (size ? WordsOfShare(size->value, shares) : WordsOf(s));
+  }
   return parts;
 }
 

@@ -10,6 +10,7 @@
 #include "app/play.h"
 #include "app/replay.h"
 #include "base/text_file.h"
+#include "grammar/query.h"
 #include "tests/support/data.h"
 #include "tests/support/golden.h"
 #include "tests/support/program.h"
@@ -146,6 +147,34 @@ TEST_F(ApplicationTest, HalfWayThroughTheDemoInkSuggestionsAndRulesAreSeen) {
   tests::ExpectGolden(*screenshot, "application_sketch");
 }
 
+/// The part of a picture about a pixel.
+render::Image Around(const render::Image& image, const Vec2& middle, const glm::ivec2& size) {
+  const glm::ivec2 low = glm::clamp(glm::ivec2(middle) - size / 2, glm::ivec2(0),
+                                    glm::ivec2(image.width, image.height) - size);
+  render::Image part{size.x, size.y, {}};
+  for (int y = 0; y < size.y; ++y) {
+    const auto* row = &image.pixels[size_t{4} * ((low.y + y) * image.width + low.x)];
+    part.pixels.insert(part.pixels.end(), row, row + size_t{4} * size.x);
+  }
+  return part;
+}
+
+TEST_F(ApplicationTest, TheWordForWhatThePenHoversOverIsBesideItsTip) {
+  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  ASSERT_TRUE(text && Play(input::ReadDrawing(*text).drawing, application_.get()));
+  PlugIn();
+  const auto glass =
+      grammar::ProductOf(*grammar::ParseQuery(".Glass"), state().model.derived[0]->tree);
+  ASSERT_TRUE(glass && glass->size() > 1);
+  const auto& scope = ShapeAt(state().model, {0, (*glass)[1]}).item.scope;
+  const Vec2 corner = Pixel(scope.origin + scope.x * scope.size.x);
+  Pen(PenEvent::Kind::kProximityIn, corner + Vec2(-2, -2));
+  Settle();
+  const auto screenshot = application_->Screenshot();
+  ASSERT_TRUE(screenshot);
+  tests::ExpectGolden(Around(*screenshot, corner, {480, 300}), "../../docs/panels/hover-light-1x");
+}
+
 TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
   PlugIn();
   Do("lot rect(20,14)");
@@ -250,6 +279,70 @@ TEST_F(ApplicationTest, AHoveringPenMarksWhatItMeans) {
   const auto on_corner = at(Pixel({0.05, 0, 13.95}));
   EXPECT_GT(tests::Compare(away, on_face, {2, 0}).pixels, 100u) << "the outline of the lot";
   EXPECT_GT(tests::Compare(on_face, on_corner, {2, 0}).pixels, 20u) << "a dot on the corner";
+}
+
+TEST_F(ApplicationTest, AHoveringPenIsToldWhatItMeans) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const auto words_at = [&](const Vec2& px) {
+    Pen(PenEvent::Kind::kProximityIn, px);
+    Settle();
+    std::vector<std::string> words;
+    for (const PanelText& text : application_->panels().texts) words.emplace_back(text.text);
+    return words;
+  };
+  EXPECT_THAT(words_at(Pixel({10, 0, 7})), testing::Contains("Lot"));
+  EXPECT_THAT(words_at(Pixel({0.05, 0, 13.95})), testing::Contains("corner of Lot"));
+  EXPECT_THAT(words_at(Pixel({-30, 0, 0})), testing::Not(testing::Contains(HasSubstr("Lot"))));
+}
+
+TEST_F(ApplicationTest, WhileAPenHoversOverNothingPanelsAreNotMadeAnew) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Pen(PenEvent::Kind::kProximityIn, {800, 40});
+  Settle();
+  const int frames = display_->frames();
+  for (int i = 0; i < 10; ++i) {
+    Pen(PenEvent::Kind::kMotion, {800.0 + i, 40});
+    Settle();
+  }
+  EXPECT_EQ(display_->frames(), frames);
+}
+
+TEST_F(ApplicationTest, AScreenWithAPenIsMappedToItsOwnOutput) {
+  DeviceFacts cintiq;
+  cintiq.has_pen = cintiq.has_display = true;
+  cintiq.size_mm = Vec2(300, 170);  // of another shape than the view
+  display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, kPen, cintiq});
+  const auto corner = [&] {
+    PenEvent event;
+    event.kind = PenEvent::Kind::kDown;
+    event.device = kPen;
+    event.position_mm = {290, 165};
+    event.pressure = 0.5;
+    event.t_s = t_s_ += 1;
+    display_->Inject(event);
+    event.position_mm = {280, 160};
+    event.kind = PenEvent::Kind::kUp;
+    event.t_s = t_s_ += 1;
+    display_->Inject(event);
+    Settle();
+    return state().sketch.unread.back()->stroke.front().position;
+  };
+  EXPECT_LT(glm::distance(corner(), Vec2(290, 165) * (1000 / 170.0) + Vec2(-82.35, 0)), 0.1)
+      << "by its shape";
+  display_->PlugOutputs(
+      {{Vec2(600, 340), std::nullopt}, {Vec2(300, 170), ViewRect{{0, 0}, {1600, 1000}}}});
+  Settle();
+  EXPECT_LT(glm::distance(corner(), Vec2(290, 165) * Vec2(1600 / 300.0, 1000 / 170.0)), 1e-6);
+}
+
+TEST_F(ApplicationTest, TheLeftHandIsToldToTheDisplay) {
+  Settings settings;
+  settings.left_handed = true;
+  application_->Do(settings);
+  EXPECT_TRUE(display_->left_handed());
 }
 
 TEST_F(ApplicationTest, TheEraserTakesStrokesAway) {

@@ -220,7 +220,7 @@ TEST_F(DocumentKeeperTest, AnotherInstancesDocumentIsNotSavedOver) {
   ASSERT_TRUE(second.New(DocumentOf(Session()), false));
   const auto saved = second.SaveAs(path_, DocumentOf(Session()));
   ASSERT_FALSE(saved);
-  EXPECT_THAT(saved.error().message, HasSubstr("another Parti"));
+  EXPECT_THAT(saved.error().message, HasSubstr("is open in"));
   ExpectWhole(path_, 1);
 }
 

@@ -97,7 +97,7 @@ TEST_F(DocumentTest, ADocumentThatSomeoneHasOpenIsNotReplaced) {
   ASSERT_TRUE(lock);
   const auto saved = SaveDocument(DocumentOf(Tower()), path_);
   ASSERT_FALSE(saved);
-  EXPECT_THAT(saved.error().message, HasSubstr("is open in another Parti"));
+  EXPECT_THAT(saved.error().message, HasSubstr("is open in this Parti"));
 }
 
 TEST_F(DocumentTest, ALinkStaysALink) {

@@ -73,6 +73,17 @@ TEST_P(PanelsGolden, Queries) {
   Look("queries");
 }
 
+TEST_P(PanelsGolden, Drafts) {
+  auto nothing = std::make_shared<SessionSnapshot>();
+  nothing->state = std::make_shared<const SessionState>();
+  panels_.view.session = nothing;
+  for (const char* name : {"2026-11-22 09.30.05", "2026-11-20 17.02.44", "2026-11-03 11.15.00"}) {
+    panels_.view.files.drafts.push_back("/drafts/" + std::string(name) + ".parti");
+  }
+  panels_.Tap("Drafts/Throw away /drafts/2026-11-20 17.02.44.parti");
+  Look("drafts", {"Drafts"});
+}
+
 TEST_P(PanelsGolden, Document) {
   panels_.view.session = WholeHouse();
   panels_.Tap("Title/Document");

@@ -49,6 +49,36 @@ TEST_F(PanelsSheets, RecentOnesAreOneTapAway) {
               ElementsAre(PanelCommand(DocumentRequest{Kind::kOpen, "/srv/Old.parti"})));
 }
 
+const char* const kDraft = "/srv/drafts/2026-11-22 09.30.05.parti";
+
+TEST_F(PanelsSheets, DraftsThatWereLeftAreOfferedAtTheStart) {
+  auto nothing = std::make_shared<SessionSnapshot>();
+  nothing->state = std::make_shared<const SessionState>();
+  panels_.view.session = nothing;
+  panels_.view.files.drafts = {kDraft};
+  ASSERT_TRUE(ShowsSheet("Drafts"));
+  EXPECT_THAT(panels_.Tap(std::string("Drafts/Draft ") + kDraft),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kOpen, kDraft})));
+  panels_.Tap("Drafts/Close");
+  EXPECT_FALSE(ShowsSheet("Drafts"));
+}
+
+TEST_F(PanelsSheets, WhoHasBegunIsNotAskedAboutDrafts) {
+  panels_.view.files.drafts = {kDraft};
+  EXPECT_FALSE(ShowsSheet("Drafts"));
+}
+
+TEST_F(PanelsSheets, ADraftIsThrownAwayAfterAskingOnceMore) {
+  panels_.view.files.drafts = {kDraft};
+  panels_.Tap("Title/Document");
+  EXPECT_THAT(panels_.Tap(std::string("Document/Throw away ") + kDraft), IsEmpty());
+  panels_.Tap("Document/Keep it");
+  EXPECT_FALSE(panels_.Shows("Document/Throw away for good"));
+  panels_.Tap(std::string("Document/Throw away ") + kDraft);
+  EXPECT_THAT(panels_.Tap("Document/Throw away for good"),
+              ElementsAre(PanelCommand(ThrowAway{kDraft})));
+}
+
 TEST_F(PanelsSheets, ItIsSavedUnderATypedName) {
   panels_.Tap("Title/Document");
   panels_.Tap("Document/Save as…");

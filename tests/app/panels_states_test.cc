@@ -40,6 +40,17 @@ const StateCase kStates[] = {
        p->view.tapped_px = p->view.size_px / 2.0;
      }},
     {"Trouble", [](PanelDriver* p) { p->view.session = InTrouble(WholeHouse()); }},
+    {"Drafts",
+     [](PanelDriver* p) {
+       auto nothing = std::make_shared<SessionSnapshot>();
+       nothing->state = std::make_shared<const SessionState>();
+       p->view.session = nothing;
+       for (int i = 1; i < 6; ++i) {
+         p->view.files.drafts.push_back("/drafts/2026-11-0" + std::to_string(i) +
+                                        " 09.30.05.parti");
+       }
+       p->Tap("Drafts/Throw away /drafts/2026-11-02 09.30.05.parti");
+     }},
     {"Document", [](PanelDriver* p) { p->Tap("Title/Document"); }},
     {"Open",
      [](PanelDriver* p) {

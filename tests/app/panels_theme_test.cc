@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "app/panels/drafts.h"
 #include "app/panels/layout.h"
 #include "app/panels/letters.h"
 #include "app/panels/theme.h"
@@ -94,6 +95,38 @@ TEST(PanelLayoutTest, CardsAreOnTheSideOfTheOtherHand) {
   EXPECT_GT(CardsBeside(stroke, Vec2(780, 520), 264, 200, room, true, 1).x0, stroke.x1);
 }
 
+TEST(PanelLayoutTest, CardsStayWhereTheyCameUpWhileThePenComesNear) {
+  const Box stroke{780, 480, 820, 520}, room{0, 0, 1600, 1000};
+  StandingCards cards;
+  const Box at = cards.Stand(stroke, Vec2(820, 520), 264, 200, room, false, 1);
+  EXPECT_EQ(cards.Stand(stroke, Vec2(at.x1 + 5, 500), 264, 200, room, false, 1), at);
+  const Box moved{80, 80, 120, 120};
+  EXPECT_FALSE(cards.Stand(moved, std::nullopt, 264, 200, room, false, 1) == at);
+}
+
+RC_GTEST_PROP(PanelLayout, AWordBesideThePenIsInTheWindowAndNeverUnderTheTip, ()) {
+  const Vec2 pen(*rc::gen::inRange(0, 1600), *rc::gen::inRange(0, 1000));
+  const bool left = *rc::gen::arbitrary<bool>();
+  const auto width = static_cast<float>(*rc::gen::inRange(40, 400));
+  const Box room{4, 4, 1596, 996};
+  const Box word = WordBeside(pen, width, 28, room, left, 1);
+  RC_ASSERT(word.x0 >= room.x0 && word.y0 >= room.y0 && word.x1 <= room.x1 && word.y1 <= room.y1);
+  RC_ASSERT(word.DistanceTo(pen) > 5);
+}
+
+TEST(PanelLayoutTest, AWordIsOutOfTheWayOfTheHand) {
+  const Box room{0, 0, 1600, 1000};
+  for (const bool left : {false, true}) {
+    const Vec2 pen(800, 500);
+    EXPECT_FALSE(WordBeside(pen, 120, 28, room, left, 1).Overlaps(HandAt(pen, left, 1)));
+  }
+}
+
+TEST(PanelWordsTest, ADraftIsNamedByItsTime) {
+  EXPECT_EQ(WordsOfDraft("/x/drafts/2026-11-22 09.30.05.parti"), "22 November 2026, 09:30");
+  EXPECT_EQ(WordsOfDraft("/x/drafts/mine.parti"), "mine.parti");
+}
+
 std::string Words(const std::string& rule) {
   const auto trees = grammar::ParseTrees("tree t { .Lot --> " + rule + " }");
   EXPECT_TRUE(trees) << rule;
@@ -106,6 +139,13 @@ TEST(PanelWordsTest, OperationsAreSaidPlainly) {
   EXPECT_EQ(Words("offset(-0.5) { inside: A | border: B }"), "Offset 0.5 m inward");
   EXPECT_EQ(Words("split(y) { 4: A | ~1: B | '0.25: C }"), "Split upward: 4 m, rest, 25 %");
   EXPECT_EQ(Words("split(x) { ~2.5: A }*"), "Repeat across every 2.5 m");
+  EXPECT_EQ(Words("split(x) { ~1: A | ~1: B | ~1: A | ~1: B }"), "Split across: 4 equal parts");
+  EXPECT_EQ(Words("split(x) { ~2: A | ~4: B | ~2: A }"), "Split across: 1 : 2 : 1");
+  EXPECT_EQ(Words("split(x) { ~1: A | 1.3: B | ~1: A }"), "Split across: 1.3 m in the middle");
+  EXPECT_EQ(Words("split(y) { 1: A | ~3: B }"), "Split upward: 1 m, rest");
+  EXPECT_EQ(Words("split(y) { ~1: A | ~2: B | 1: C }"), "Split upward: 1 × rest, 2 × rest, 1 m");
+  EXPECT_EQ(Words("split(y) { 4: A | { ~3: B }* | 1: C }"),
+            "Split upward: 4 m, repeated (about 3 m), 1 m");
   EXPECT_EQ(Words("comp(f) { side: A | top: B }"), "Take faces: side, top");
   EXPECT_EQ(Words("color(\"#7e98a8\")"), "Color #7e98a8");
 }

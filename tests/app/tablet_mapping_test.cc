@@ -119,6 +119,39 @@ TEST(TabletMappingTest, AnOpaqueTabletHasNoOutputOfItsOwn) {
   EXPECT_EQ(mapping.ToView_px({320, 200}), Vec2(1600, 1000));
 }
 
+constexpr ViewRect kView{{0, 0}, {1920, 1080}};
+
+TEST(OwnOutputTest, OfSeveralItIsTheOneOfItsSize) {
+  const OutputPlace desk{Vec2(598, 336), std::nullopt}, own{Vec2(300, 170), kView};
+  const DeviceFacts tablet = Screen(297.76, 169.24);
+  EXPECT_EQ(OwnOutput(tablet, std::vector{desk, own}), kView);
+  EXPECT_EQ(OwnOutput(tablet, std::vector{own, desk}), kView);
+}
+
+TEST(OwnOutputTest, WhereItsOwnIsNotShownThereIsNone) {
+  const OutputPlace desk{Vec2(598, 336), kView}, own{Vec2(300, 170), std::nullopt};
+  EXPECT_EQ(OwnOutput(Screen(297.76, 169.24), std::vector{desk, own}), std::nullopt);
+}
+
+TEST(OwnOutputTest, OfTwoAlikeTheOneThatIsShown) {
+  const OutputPlace one{Vec2(300, 170), std::nullopt}, other{Vec2(300, 170), kView};
+  EXPECT_EQ(OwnOutput(Screen(300, 170), std::vector{one, other}), kView);
+}
+
+TEST(OwnOutputTest, AnOnlyOneThatDoesNotSayItsSizeIsIt) {
+  EXPECT_EQ(OwnOutput(Screen(300, 170), std::vector{OutputPlace{std::nullopt, kView}}), kView);
+  const std::vector<OutputPlace> two(2, OutputPlace{std::nullopt, kView});
+  EXPECT_EQ(OwnOutput(Screen(300, 170), two), std::nullopt);
+  EXPECT_EQ(OwnOutput(Screen(300, 170), {}), std::nullopt);
+}
+
+TEST(OwnOutputTest, AnotherSizeAndAnOpaqueTabletHaveNone) {
+  const std::vector screens{OutputPlace{Vec2(300, 170), kView}};
+  EXPECT_EQ(OwnOutput(Screen(344, 194), screens), std::nullopt);
+  EXPECT_EQ(OwnOutput(Tablet(300, 170), screens), std::nullopt);
+  EXPECT_EQ(OwnOutput(Screen(0, -1), screens), std::nullopt);
+}
+
 TEST(TabletMappingTest, TimesAndPressuresStay) {
   input::PenStroke stroke;
   stroke.samples = {{{1, 2}, 3.5, 0.25, {}}, {{2, 2}, 3.6, {}, {}}};

@@ -1,6 +1,7 @@
 #include "tests/support/child.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,10 +25,14 @@ Child::Child(const std::vector<std::string>& words, const std::string& output,
   arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  const pid_t test = ::getpid();
   pid_ = ::fork();
   CHECK(pid_ >= 0, "a test can start a program");
   if (pid_ > 0) return;
   ::setpgid(0, 0);
+  // A test that is killed runs no destructor.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != test) ::_exit(125);
   Redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
   Redirect(STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC);
   Redirect(STDERR_FILENO, errors, O_WRONLY | O_CREAT | O_TRUNC);

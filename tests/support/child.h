@@ -10,7 +10,7 @@
 namespace parti::tests {
 
 /// A child in a process group of its own, with nothing to read; killed with all that it started
-/// when the value goes.
+/// when the value goes, and by the kernel when the thread goes that started it.
 class Child {
  public:
   /// `words` are the program, looked for in PATH, and its arguments; what it writes goes to two

@@ -31,8 +31,9 @@ constexpr size_t kUndoSteps = 60;
 constexpr double kCheckEvery_s = 360;
 // Bytes that an empty session may take more than the first one did: caches, not the work of hours.
 constexpr size_t kSlack = size_t{4} << 20;
-// Of those that were noted: the newest, and one that a picture or a worker may still be made of.
-constexpr size_t kStates = 3;
+// Of those that were noted: the newest, and what pictures and workers were last made of. What is
+// kept by mistake is kept each time.
+constexpr size_t kStates = 8;
 
 size_t BytesInUse() {
 #if defined(__SANITIZE_ADDRESS__)

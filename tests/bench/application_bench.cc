@@ -1,0 +1,223 @@
+// From an event of a device to the finished frame, through the whole application: hands, panels,
+// hovering, ink and composing, off screen at 1600 x 1000 with 10,000 strokes and 100,000 shapes.
+// CPU of the thread that draws ink; and the same beside derivations in the session's thread.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <random>
+
+#include "app/application.h"
+#include "app/display/offscreen_display.h"
+#include "app/document.h"
+#include "app/play.h"
+#include "base/check.h"
+
+namespace parti::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As ink_latency_bench.cc says.
+[[maybe_unused]] const int kFixed = setenv("LP_NUM_THREADS", "0", 0);
+
+constexpr int kStrokes = 10000, kSide = 316;  // 316 x 316 boxes
+constexpr int kSamplesPerFrame = 4;           // a pen of 240 Hz on a display of 60 Hz
+constexpr int kFrames = 500;
+constexpr Vec2 kView_px{1600, 1000};
+
+double Seconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A town of boxes, seen whole.
+Session Town() {
+  auto lots = ParseLots("rect(316,316)");
+  auto trees = grammar::ParseTrees(R"(tree town {
+    .Lot --> split(x) { ~1: Row }*
+    .Row --> split(y) { ~1: Cell }*
+    .Cell --> extrude(2) Box
+  })");
+  CHECK(lots && trees, "the town is well written");
+  auto model = BuiltOn(std::move(*lots), std::move(*trees));
+  CHECK(model && VisibleShapes(*model).size() == size_t{kSide} * kSide, "the town is built");
+  Camera camera;
+  camera.eye = {450, 260, 480};
+  camera.target = {150, 0, 150};
+  camera.width_px = kView_px.x;
+  camera.height_px = kView_px.y;
+  return Session(std::move(*model), camera);
+}
+
+/// The same with a sheet full of ink that means nothing.
+Document SketchedOver(const Session& town) {
+  Document document = DocumentOf(town);
+  SessionRecord& state = document.states.back();
+  for (uint32_t i = 0; i < kStrokes; ++i) {
+    DrawnStroke drawn{{}, state.camera, i};
+    const double at = 0.37 * i;
+    for (int k = 0; k < 40; ++k) {
+      const double t = at + k / 240.0;
+      drawn.stroke.push_back({Vec2(800 + 600 * std::sin(1.1 * t) + 25 * std::sin(19 * t),
+                                   500 + 350 * std::sin(0.7 * t + 1) + 25 * std::cos(23 * t)),
+                              t, 0.5});
+    }
+    document.strokes.push_back(std::make_shared<const DrawnStroke>(std::move(drawn)));
+  }
+  state.unread = document.strokes;
+  return document;
+}
+
+/// The application on that document, at rest, with a pen tablet of the view's shape.
+class Desk {
+ public:
+  Desk() {
+    fs::create_directories(folder_);
+    const std::string path = (folder_ / "town.parti").string();
+    CHECK(SaveDocument(SketchedOver(Town()), path).has_value(), "the town is saved");
+    display_ = std::move(*OffscreenDisplay::Create());
+    session_ = std::make_unique<SessionThread>(SessionThreadOptions{
+        .path = path, .folders = {(folder_ / "data").string(), (folder_ / "state").string()}});
+    application_ = std::move(*Application::Create(display_.get(), session_.get(), {}));
+    DeviceFacts pen;
+    pen.has_pen = true;
+    pen.size_mm = kView_px / 10.0;
+    display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, 0, pen});
+    constexpr double kPatience_s = 300;
+    CHECK(Settle(application_.get(), kPatience_s).has_value(), "it comes to rest");
+    CHECK(application_->snapshot().state->sketch.unread.size() == kStrokes, "all ink is there");
+  }
+  ~Desk() {
+    application_.reset();
+    session_.reset();
+    fs::remove_all(folder_);
+  }
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  void Send(PenEvent::Kind kind) {
+    t_s_ += 1 / 240.0;
+    PenEvent event;
+    event.kind = kind;
+    event.t_s = t_s_;
+    event.position_mm = Vec2(80 + 60 * std::sin(1.1 * t_s_) + 2.5 * std::sin(19 * t_s_),
+                             50 + 25 * std::sin(0.7 * t_s_ + 1) + 2.5 * std::cos(23 * t_s_));
+    event.pressure = 0.5 + 0.3 * std::sin(3 * t_s_);
+    display_->Inject(event);
+  }
+  /// A typed node that makes too many shapes: it is derived for seconds and then refused, so that
+  /// nothing changes.
+  void DeriveForSeconds() {
+    session_->Post(*ParseCommand("node .Box --> split(y) { ~0.02: Slice }*"));
+  }
+  bool Derives() const { return session_->Newest()->busy; }
+  void Turn(double wait_s = 0) {
+    CHECK(application_->Turn(wait_s).has_value(), "the display stays");
+  }
+  void Rest() { CHECK(Settle(application_.get(), 300).has_value(), "it comes to rest"); }
+
+ private:
+  const fs::path folder_ = fs::temp_directory_path() /
+                           ("parti_application_bench." + std::to_string(std::random_device()()));
+  std::unique_ptr<OffscreenDisplay> display_;
+  std::unique_ptr<SessionThread> session_;
+  std::unique_ptr<Application> application_;
+  double t_s_ = 1;
+};
+
+struct Times {
+  std::vector<double> cpu_ms, wall_ms;
+
+  static double At(std::vector<double> values, double part) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<size_t>(part * static_cast<double>(values.size() - 1))];
+  }
+};
+
+/// Frames of some samples each, until GL has finished them.
+void Move(Desk* desk, int frames, Times* times) {
+  for (int frame = 0; frame < frames; ++frame) {
+    const double cpu = Seconds(CLOCK_THREAD_CPUTIME_ID), wall = Seconds(CLOCK_MONOTONIC);
+    for (int i = 0; i < kSamplesPerFrame; ++i) desk->Send(PenEvent::Kind::kMotion);
+    desk->Turn();
+    times->cpu_ms.push_back(1e3 * (Seconds(CLOCK_THREAD_CPUTIME_ID) - cpu));
+    times->wall_ms.push_back(1e3 * (Seconds(CLOCK_MONOTONIC) - wall));
+  }
+}
+
+void Report(benchmark::State& state, const Times& times) {
+  state.SetLabel(std::string("LP_NUM_THREADS=") + std::getenv("LP_NUM_THREADS"));
+  state.counters["cpu_p50_ms"] = Times::At(times.cpu_ms, 0.5);
+  state.counters["cpu_p99_ms"] = Times::At(times.cpu_ms, 0.99);
+  state.counters["wall_p50_ms"] = Times::At(times.wall_ms, 0.5);
+  state.counters["wall_p99_ms"] = Times::At(times.wall_ms, 0.99);
+}
+
+void BenchApplicationHovering(benchmark::State& state) {
+  Desk desk;
+  desk.Send(PenEvent::Kind::kProximityIn);
+  Times times;
+  for (auto _ : state) Move(&desk, kFrames, &times);
+  Report(state, times);
+}
+BENCHMARK(BenchApplicationHovering)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void BenchApplicationDrawing(benchmark::State& state) {
+  Desk desk;
+  desk.Send(PenEvent::Kind::kProximityIn);
+  desk.Send(PenEvent::Kind::kDown);
+  desk.Turn();
+  Times times;
+  for (auto _ : state) Move(&desk, kFrames, &times);
+  Report(state, times);
+}
+BENCHMARK(BenchApplicationDrawing)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// Draws for 3 s alone, then for 3 s beside derivations, five times over.
+void BenchApplicationBesideDerivations(benchmark::State& state) {
+  Desk desk;
+  desk.Send(PenEvent::Kind::kProximityIn);
+  desk.Send(PenEvent::Kind::kDown);
+  desk.Turn();
+  std::vector<double> alone, beside;
+  Times all_beside;
+  int derived = 0;
+  const auto draw_3_s = [&](bool derive) {
+    Times times;
+    const double until = Seconds(CLOCK_MONOTONIC) + 3;
+    while (Seconds(CLOCK_MONOTONIC) < until) {
+      if (derive && !desk.Derives()) {
+        desk.DeriveForSeconds();
+        ++derived;
+      }
+      Move(&desk, 60, &times);
+    }
+    return times;
+  };
+  for (auto _ : state) {
+    for (int run = 0; run < 5; ++run) {
+      desk.Rest();
+      alone.push_back(Times::At(draw_3_s(false).cpu_ms, 0.5));
+      const Times busy = draw_3_s(true);
+      beside.push_back(Times::At(busy.cpu_ms, 0.5));
+      for (const auto member : {&Times::cpu_ms, &Times::wall_ms}) {
+        (all_beside.*member)
+            .insert((all_beside.*member).end(), (busy.*member).begin(), (busy.*member).end());
+      }
+    }
+  }
+  Report(state, all_beside);
+  state.counters["alone_cpu_p50_ms"] = Times::At(alone, 0.5);
+  state.counters["beside_cpu_p50_ms"] = Times::At(beside, 0.5);
+  state.counters["change"] = Times::At(beside, 0.5) / Times::At(alone, 0.5) - 1;
+  state.counters["derivations"] = derived;
+}
+BENCHMARK(BenchApplicationBesideDerivations)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace parti::app
