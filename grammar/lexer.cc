@@ -10,7 +10,7 @@
 namespace parti::grammar {
 namespace {
 
-constexpr std::string_view kMarks = ".#:,;(){}|*/~><='@%+-!";
+constexpr std::string_view kMarks = ".#:,;(){}[]|&*/~><='@%+-!";
 constexpr char32_t kRightArrow = 0x2192;
 constexpr char32_t kEpsilon = 0x3b5;
 constexpr char32_t kByteOrderMark = 0xfeff;

@@ -14,7 +14,7 @@ namespace parti::grammar {
 struct Token {
   enum class Kind : uint8_t { kEnd, kName, kNumber, kText, kArrow, kMark, kBad };
   Kind kind = Kind::kEnd;
-  char mark = 0;             ///< kMark: one of  . # : , ; ( ) { } | * / ~ > < = ' @ % + - !
+  char mark = 0;             ///< kMark: one of  . # : , ; ( ) { } [ ] | & * / ~ > < = ' @ % + - !
   bool starts_line = false;  ///< nothing but blanks and comments before it on its line
   size_t offset = 0;         ///< bytes from the start of the text
   size_t length = 0;         ///< bytes

@@ -191,6 +191,8 @@ struct RuleSet {
   std::vector<RuleStyle> styles;  ///< that the first file knows
   std::string style;              ///< the one that was asked for; "" none
   Trees trees;                    ///< `tree NAME { … }`: run after the rules, on what they made
+  /// What was unknown and became nothing: "operation 'envelope', 3 places".
+  std::vector<std::string> skipped;
 };
 
 /// Equal but for where it stands in a text.
