@@ -113,8 +113,10 @@ A --> case h > 2 && h != 4: case h == 3: X else: Y
       case h < 1: 50%: P 30%: Q else: R
       else: Z)"),
             "attr h = 3\n\n"
-            "A --> case h > 2 && h != 4: case h == 3: X else: Y case h < 1: 50%: P 30%: Q else: R "
-            "else: Z\n");
+            "A -->\n"
+            "  case h > 2 && h != 4: case h == 3: X else: Y\n"
+            "  case h < 1: 50%: P 30%: Q else: R\n"
+            "  else: Z\n");
 }
 
 TEST(RuleText, ChancesOfAHundredPercentNeedNoElse) {
