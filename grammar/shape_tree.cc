@@ -20,6 +20,9 @@ bool IsOurs(const std::shared_ptr<T>& value) {
   return true;
 }
 
+/// Whether a leaf is a part of what is seen.
+bool IsSeen(const Shape& leaf) { return IsVisible(leaf.item.type) && !leaf.is_hidden; }
+
 /// "0/2/5" as numbers.
 Result<std::vector<uint32_t>> PathFrom(std::string_view id) {
   std::vector<uint32_t> path;
@@ -42,6 +45,14 @@ ShapeTree::ShapeTree(Item lot, std::string_view symbol) : names_(std::make_share
   Shape root;
   root.item = std::move(lot);
   root.symbol = Intern(symbol);
+  WritableChunk(0).push_back(std::move(root));
+  size_ = 1;
+}
+
+ShapeTree::ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of) : names_(names_of.names_) {
+  Shape root;
+  root.item = std::move(lot);
+  root.symbol = symbol;
   WritableChunk(0).push_back(std::move(root));
   size_ = 1;
 }
@@ -103,6 +114,45 @@ void ShapeTree::AddTag(ShapeIndex i, NameId tag) {
 
 void ShapeTree::SetItem(ShapeIndex i, Item item) { Writable(i).item = std::move(item); }
 
+void ShapeTree::Hide(ShapeIndex i) { Writable(i).is_hidden = true; }
+
+void ShapeTree::SetMade(ShapeIndex i, NameId symbol, const Operation* operation) {
+  Shape& shape = Writable(i);
+  shape.symbol = symbol;
+  shape.operation = operation;
+}
+
+void ShapeTree::Splice(ShapeIndex i, ShapeTree part) {
+  CHECK(IsLeaf(i), "only a leaf can be spliced");
+  CHECK(part.size_ - 1 < kNoShape - size_, "room for a part's shapes");
+  const uint32_t shift = size_ - 1;
+  const auto moved = [&](ShapeIndex of_part) {
+    return of_part == kNoShape ? kNoShape : of_part == 0 ? i : of_part + shift;
+  };
+  const bool same_names = part.names_ == names_;
+  const auto renamed = [&](NameId name) { return same_names ? name : Intern(part.Name(name)); };
+  for (ShapeIndex from = 0; from < part.size_; ++from) {
+    Shape shape = std::move(part.Writable(from));
+    shape.symbol = renamed(shape.symbol);
+    for (NameId& tag : shape.tags) tag = renamed(tag);
+    if (!same_names) std::sort(shape.tags.begin(), shape.tags.end());
+    shape.first_child = moved(shape.first_child);
+    shape.last_child = moved(shape.last_child);
+    if (from == 0) {
+      const Shape& old = (*this)[i];
+      shape.parent = old.parent;
+      shape.next_sibling = old.next_sibling;
+      shape.ordinal = old.ordinal;
+      Writable(i) = std::move(shape);
+      continue;
+    }
+    shape.parent = moved(shape.parent);
+    shape.next_sibling = moved(shape.next_sibling);
+    WritableChunk(size_ / kChunk).push_back(std::move(shape));
+    ++size_;
+  }
+}
+
 NameId ShapeTree::Intern(std::string_view name) {
   if (name.empty()) return kNoName;
   if (const NameId known = Find(name); known != kNoName) return known;
@@ -137,7 +187,7 @@ std::vector<ShapeIndex> ShapeTree::Leaves() const {
       i = (*this)[i].first_child;
       continue;
     }
-    if (IsVisible((*this)[i].item.type)) leaves.push_back(i);
+    if (IsSeen((*this)[i])) leaves.push_back(i);
     while (i != 0 && (*this)[i].next_sibling == kNoShape) i = (*this)[i].parent;
     if (i == 0) return leaves;
     i = (*this)[i].next_sibling;

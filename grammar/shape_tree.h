@@ -33,7 +33,8 @@ struct Shape {
   ShapeIndex first_child = kNoShape;
   ShapeIndex last_child = kNoShape;
   ShapeIndex next_sibling = kNoShape;
-  uint32_t ordinal = 0;  ///< among its parent's children, from 0
+  uint32_t ordinal = 0;    ///< among its parent's children, from 0
+  bool is_hidden = false;  ///< its rule made nothing of it: it is not visible though it is a leaf
 };
 
 /// Shapes are numbered in creation order; a parent comes before its children; 0 is the lot.
@@ -42,6 +43,8 @@ struct Shape {
 class ShapeTree {
  public:
   explicit ShapeTree(Item lot, std::string_view symbol = "Lot");
+  /// Knows the names that another tree knows, under the same numbers.
+  ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of);
 
   uint32_t size() const { return size_; }
   const Shape& operator[](ShapeIndex i) const { return (*chunks_[i / kChunk])[i % kChunk]; }
@@ -52,6 +55,13 @@ class ShapeTree {
   void SetSymbol(ShapeIndex i, NameId symbol);
   void AddTag(ShapeIndex i, NameId tag);
   void SetItem(ShapeIndex i, Item item);
+  /// Not visible, whatever it is.
+  void Hide(ShapeIndex i);
+  /// Its symbol, and the operation that made it what it now is.
+  void SetMade(ShapeIndex i, NameId symbol, const Operation* operation);
+  /// Puts a tree in the place of shape i: its root's values become those of i, the rest its
+  /// descendants, in the order of their numbers. i must be a leaf.
+  void Splice(ShapeIndex i, ShapeTree part);
 
   /// kNoName for the empty name.
   NameId Intern(std::string_view name);
@@ -61,7 +71,7 @@ class ShapeTree {
 
   bool IsLeaf(ShapeIndex i) const { return (*this)[i].first_child == kNoShape; }
   bool IsAncestor(ShapeIndex ancestor, ShapeIndex descendant) const;  ///< not of itself
-  /// Leaves in depth-first order that are visible: no layers, no 2D shapes.
+  /// Leaves in depth-first order that are visible: no layers, no 2D shapes, nothing hidden.
   std::vector<ShapeIndex> Leaves() const;
 
   /// Child-index path from the lot, "0/2/5"; "." is the lot (interfaces.md, Shape ids).

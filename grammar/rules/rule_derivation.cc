@@ -1,0 +1,188 @@
+#include "grammar/rules/rule_derivation.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "grammar/rules/rule_runner.h"
+#include "grammar/rules/rule_scene.h"
+
+namespace parti::grammar {
+namespace {
+
+/// A lot is derived breadth first until so many shapes wait: they are what threads share out.
+constexpr size_t kFrontier = 64;
+
+class LotDerivation {
+ public:
+  LotDerivation(const RuleProgram& program, const RuleSettings& settings, const Item& lot,
+                uint32_t number, const RuleThreads& threads)
+      : lot_(lot),
+        limits_(settings.limits),
+        number_(number),
+        run_{program,           lot_,          attributes_,         limits_, settings.seed,
+             threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}},
+        tree_(lot, program.names[0].symbol, program.names) {}
+
+  Result<ShapeTree> Run(const RuleSettings& settings, bool at_once) {
+    auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_);
+    if (!attributes) return Fail(attributes);
+    attributes_ = std::move(*attributes);
+    if (run_.now_s != nullptr) run_.until_s = run_.now_s() + limits_.seconds;
+    if (const auto done = Widen(settings.seed); !done) return Fail(done);
+    const auto done = at_once ? DeriveAtOnce() : DeriveInOrder();
+    if (!done) return Fail(done);
+    return std::move(tree_);
+  }
+
+ private:
+  /// Breadth first, up to the frontier.
+  Result<void> Widen(uint64_t seed) {
+    RuleRunner runner(run_, &tree_);
+    RuleTask root;
+    root.body = &run_.program.bodies[run_.program.start];
+    root.stream = Stream(LotPath(seed, number_));
+    waiting_.push_back(std::move(root));
+    std::vector<RuleTask> next;
+    while (!waiting_.empty() && waiting_.size() < kFrontier) {
+      RuleTask task = std::move(waiting_.front());
+      waiting_.pop_front();
+      next.clear();
+      if (const auto done = RunWithScene(std::move(task), &runner, &next); !done) return done;
+      std::move(next.begin(), next.end(), std::back_inserter(waiting_));
+    }
+    return {};
+  }
+
+  Result<void> DeriveInOrder() {
+    RuleRunner runner(run_, &tree_);
+    for (RuleTask& task : waiting_) {
+      if (const auto done = RunAll(std::move(task), &runner); !done) return done;
+    }
+    return {};
+  }
+
+  /// Each task in a tree of its own; then all in order into the lot's tree.
+  Result<void> DeriveAtOnce() {
+    std::vector<std::optional<ShapeTree>> parts(waiting_.size());
+    std::atomic<bool> has_failed = false;
+    tbb::parallel_for(size_t{0}, waiting_.size(), [&](size_t i) {
+      if (has_failed.load(std::memory_order_relaxed)) return;
+      RuleTask task = waiting_[i];
+      const Shape& shape = tree_[task.shape];
+      ShapeTree part(shape.item, shape.symbol, tree_);
+      part.SetMade(0, shape.symbol, shape.operation);
+      for (const NameId tag : shape.tags) part.AddTag(0, tag);
+      task.shape = 0;
+      RuleRunner runner(run_, &part);
+      if (RunAll(std::move(task), &runner)) {
+        parts[i] = std::move(part);
+      } else {
+        has_failed = true;
+      }
+    });
+    uint64_t total = tree_.size();
+    for (const auto& part : parts) total += part ? part->size() - 1 : 0;
+    // One after the other, failures and limits name the same shape on any number of threads.
+    if (has_failed || total > limits_.shapes) return DeriveInOrder();
+    for (size_t i = 0; i < parts.size(); ++i) {
+      tree_.Splice(waiting_[i].shape, std::move(*parts[i]));
+    }
+    return {};
+  }
+
+  const Item& lot_;
+  RuleLimits limits_;
+  uint32_t number_;
+  std::vector<Value> attributes_;
+  LotRun run_;
+  ShapeTree tree_;
+  std::deque<RuleTask> waiting_;
+};
+
+bool IsSomethingVisible(const std::vector<ShapeTree>& trees) {
+  return std::any_of(trees.begin(), trees.end(),
+                     [](const ShapeTree& tree) { return !tree.Leaves().empty(); });
+}
+
+/// Lots in any order; the first that fails is the one that counts.
+class LotsDerivation {
+ public:
+  LotsDerivation(const RuleProgram& program, const RuleSettings& settings,
+                 std::span<const Item> lots, const RuleThreads& threads)
+      : program_(program),
+        settings_(settings),
+        lots_(lots),
+        threads_(threads),
+        results_(lots.size()) {}
+
+  void RunLot(size_t i, bool at_once) {
+    if (i > first_failed_.load(std::memory_order_relaxed)) return;
+    LotDerivation lot(program_, settings_, lots_[i], static_cast<uint32_t>(i), threads_);
+    results_[i] = lot.Run(settings_, at_once);
+    if (*results_[i]) return;
+    size_t first = first_failed_.load();
+    while (i < first && !first_failed_.compare_exchange_weak(first, i)) {
+    }
+  }
+
+  void RunAtOnce(int threads) {
+    std::optional<tbb::global_control> allowed;
+    if (threads > 0) {
+      allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+    }
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    const bool few = lots_.size() < 4 * static_cast<size_t>(arena.max_concurrency());
+    arena.execute(
+        [&] { tbb::parallel_for(size_t{0}, lots_.size(), [&](size_t i) { RunLot(i, few); }); });
+  }
+
+  Result<std::vector<ShapeTree>> Take() {
+    std::vector<ShapeTree> trees;
+    for (auto& result : results_) {
+      if (!*result) {
+        Error error = result->error();
+        if (lots_.size() > 1)
+          error.message = fmt::format("lot-{}: {}", trees.size(), error.message);
+        return tl::unexpected<Error>(std::move(error));
+      }
+      trees.push_back(std::move(**result));
+    }
+    return trees;
+  }
+
+ private:
+  const RuleProgram& program_;
+  const RuleSettings& settings_;
+  std::span<const Item> lots_;
+  const RuleThreads& threads_;
+  std::vector<std::optional<Result<ShapeTree>>> results_;
+  std::atomic<size_t> first_failed_ = SIZE_MAX;
+};
+
+}  // namespace
+
+Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSettings& settings,
+                                           std::span<const Item> lots, const RuleThreads& threads) {
+  const auto start = StartSymbol(rules, settings);
+  if (!start) return Fail(start);
+  const RuleProgram program = ProgramOf(rules, *start);
+  LotsDerivation all(program, settings, lots, threads);
+  if (threads.count == 1) {
+    for (size_t i = 0; i < lots.size(); ++i) all.RunLot(i, false);
+  } else {
+    all.RunAtOnce(threads.count);
+  }
+  auto trees = all.Take();
+  if (!trees || IsSomethingVisible(*trees)) return trees;
+  return Fail(ErrorCode::kNothingMade, fmt::format("the rules make nothing of '{}'", *start),
+              "look for NIL, and for selectors that nothing fits");
+}
+
+}  // namespace parti::grammar

@@ -1,0 +1,273 @@
+#include "grammar/rules/rule_derivation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "grammar/operation.h"
+#include "tests/grammar/rules/derived_by_rules.h"
+
+namespace parti::grammar {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+size_t CountOf(const ShapeTree& tree, std::string_view symbol) {
+  size_t count = 0;
+  for (const std::string& name : Visible(tree)) count += name == symbol ? 1 : 0;
+  return count;
+}
+
+TEST(RuleDerivation, OperationsOfOneBodyMakeOneLevel) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> extrude(6) Mass
+    Mass --> comp(f) { side: Facade | top: Roof }
+    Facade --> split(y) { ~3: Floor }*
+  )");
+  EXPECT_THAT(Outline(tree), HasSubstr(". Lot, 0 Mass, 0/0 Roof, 0/1 Facade, 0/1/0 Floor"));
+  EXPECT_EQ(CountOf(tree, "Floor"), 8u);
+}
+
+TEST(RuleDerivation, ASuccessorMayBeASequenceAndItsChildBecomesTheResult) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { 5: extrude(2) color("#ff0000") Box | ~1: NIL | 5: Flat }
+  )");
+  EXPECT_EQ(Outline(tree), ". Lot, 0 Box, 1 Flat");
+  EXPECT_EQ(tree[1].item.type, ItemType::kVolume);
+  EXPECT_EQ(tree[1].item.color_rgb, 0xff0000u);
+  EXPECT_EQ(tree[1].operation->name, "extrude");
+}
+
+TEST(RuleDerivation, ASuccessorThatMakesSeveralHasAShapeOfItsOwn) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { ~1: split(y) { ~1: A | ~1: B } | ~1: C }
+  )");
+  EXPECT_EQ(Outline(tree), ". Lot, 0 -, 0/0 A, 0/1 B, 1 C");
+}
+
+TEST(RuleDerivation, ABodyThatMakesNoChildLeavesOneWithoutSymbol) {
+  EXPECT_EQ(Outline(ByRules("Lot --> extrude(3)")), ". Lot, 0 -");
+  const ShapeTree colored = ByRules("Lot --> color(\"#00ff00\") tag(\"ground\")");
+  EXPECT_EQ(Outline(colored), ". Lot");
+  EXPECT_EQ(colored[0].item.color_rgb, 0x00ff00u);
+  EXPECT_THAT(colored[0].tags, SizeIs(1));
+}
+
+TEST(RuleDerivation, BracketsBringBackWhatWasInHand) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> [ extrude(3) Mass ] Ground
+  )");
+  EXPECT_EQ(Outline(tree), ". Lot, 0 Mass, 1 Ground");
+  EXPECT_EQ(tree[2].item.type, ItemType::kPlanar);
+}
+
+TEST(RuleDerivation, NilHidesTheShape) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { ~1: A | ~1: B }
+    A --> NIL
+    B --> extrude(1) comp(f) { top: Top }
+  )");
+  EXPECT_THAT(Visible(tree), ElementsAre("Top"));
+}
+
+TEST(RuleDerivation, AShapeOfWhichNoSelectorTakesAnythingIsHidden) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { ~1: A | ~1: B }
+    A --> extrude(1) comp(f) { 99: Never }
+  )");
+  EXPECT_THAT(Visible(tree), ElementsAre("B"));
+}
+
+TEST(RuleDerivation, CasesLookAtTheShape) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { ~1: Part | ~3: Part }
+    Part --> case scope.sx > 6: extrude(2) Wide else: Narrow
+  )");
+  EXPECT_THAT(Visible(tree), ElementsAre("Narrow", "Wide"));
+}
+
+TEST(RuleDerivation, ParametersAttributesAndSetAreHandedDown) {
+  const ShapeTree tree = ByRules(R"(
+    attr height = 2
+    Lot --> split(x) { ~1: set(height, 5) Part(1) | ~1: Part(2) }
+    Part(factor) --> extrude(height * factor) Mass
+  )");
+  EXPECT_EQ(tree[tree.Leaves()[0]].item.scope.size.y, 5);
+  EXPECT_EQ(tree[tree.Leaves()[1]].item.scope.size.y, 4);
+}
+
+TEST(RuleDerivation, SplitIndexCountsPieces) {
+  const ShapeTree tree = ByRules(R"(
+    Lot --> split(x) { 5: Part }*
+    Part --> case split.index == split.total - 1: Last case split.index == 0: First else: Inner
+  )");
+  EXPECT_THAT(Visible(tree), ElementsAre("First", "Inner", "Inner", "Last"));
+}
+
+TEST(RuleDerivation, SettingsGiveAttributesAndTheStart) {
+  RuleSettings settings;
+  settings.start = "Tower";
+  settings.attributes = {{"height", "7"}};
+  const ShapeTree tree = ByRules("attr height = 2\nTower --> extrude(height) Mass", settings);
+  EXPECT_EQ(tree.Name(tree[0].symbol), "Tower");
+  EXPECT_EQ(tree[1].item.scope.size.y, 7);
+}
+
+TEST(RuleDerivation, WrongSettingsAreNamed) {
+  constexpr std::string_view kRules = "attr height = 2\nconst top = 3\nLot --> extrude(height) M";
+  RuleSettings settings;
+  settings.start = "Lott";
+  EXPECT_THAT(TryRules(kRules, settings).error().hint, HasSubstr("Lot"));
+  settings.start = "";
+  settings.attributes = {{"heigth", "7"}};
+  EXPECT_THAT(TryRules(kRules, settings).error().hint, HasSubstr("height"));
+  settings.attributes = {{"top", "7"}};
+  EXPECT_THAT(TryRules(kRules, settings).error().message, HasSubstr("constant"));
+  settings.attributes = {{"height", "seven"}};
+  EXPECT_THAT(TryRules(kRules, settings).error().message, HasSubstr("seven"));
+}
+
+constexpr std::string_view kChance = R"(
+  Lot --> split(x) { 1: Part }*
+  Part --> 50%: extrude(rand(1, 3)) A 30%: B else: NIL
+)";
+
+TEST(RuleDerivation, ChanceFollowsTheSeedAndNothingElse) {
+  RuleSettings settings;
+  const std::string first = Bytes(ByRules(kChance, settings));
+  EXPECT_EQ(Bytes(ByRules(kChance, settings)), first);
+  settings.seed = 1;
+  EXPECT_NE(Bytes(ByRules(kChance, settings)), first);
+}
+
+TEST(RuleDerivation, ChancesComeUpAsOftenAsTheySay) {
+  RuleSettings settings;
+  size_t a = 0, b = 0, all = 0;
+  for (settings.seed = 0; settings.seed < 100; ++settings.seed) {
+    const ShapeTree tree = ByRules(kChance, settings);
+    a += CountOf(tree, "A");
+    b += CountOf(tree, "B");
+    all += 20;
+  }
+  EXPECT_NEAR(static_cast<double>(a) / static_cast<double>(all), 0.5, 0.05);
+  EXPECT_NEAR(static_cast<double>(b) / static_cast<double>(all), 0.3, 0.05);
+}
+
+TEST(RuleDerivation, AnEditElsewhereNeverChangesADraw) {
+  const std::string rest = "\nPart --> extrude(rand(1, 9)) A";
+  const ShapeTree before = ByRules("Lot --> split(x) { ~1: Part | ~1: Part }" + rest);
+  const ShapeTree after =
+      ByRules("Lot --> split(x) { ~1: Part | ~1: split(y) { ~1: Part | ~1: Part } }" + rest);
+  EXPECT_EQ(before[before.Leaves()[0]].item.scope.size.y,
+            after[after.Leaves()[0]].item.scope.size.y);
+}
+
+TEST(RuleDerivation, RecursionWithoutEndIsAnErrorThatSaysSo) {
+  const auto tree = TryRules("Lot --> Again\nAgain --> Other\nOther --> Again");
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached);
+  EXPECT_THAT(tree.error().message, HasSubstr("without end"));
+  ASSERT_TRUE(tree.error().place);
+  EXPECT_NE(tree.error().place->line_text.find("-->"), std::string::npos);
+}
+
+TEST(RuleDerivation, TooManyShapesAreAnErrorAndNoHang) {
+  RuleSettings settings;
+  settings.limits.shapes = 1000;
+  const auto tree = TryRules("Lot --> split(x) { ~1: Lot | ~1: Lot }", settings);
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached);
+  EXPECT_THAT(tree.error().message, HasSubstr("1000 shapes"));
+}
+
+TEST(RuleDerivation, FunctionsWithoutEndAreAnError) {
+  const auto tree = TryRules("f(x) = f(x + 1)\nLot --> extrude(f(1)) Mass");
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached);
+}
+
+TEST(RuleDerivation, AFailureNamesRuleOperationShapeAndPlace) {
+  const auto tree = TryRules("Lot --> split(x) { ~1: A | ~1: Part }\nPart --> extrude(0 * 3) Mass");
+  ASSERT_FALSE(tree);
+  EXPECT_THAT(tree.error().message, HasSubstr("rule Part: extrude"));
+  EXPECT_THAT(tree.error().message, HasSubstr("(shape 1)"));
+  ASSERT_TRUE(tree.error().place);
+  EXPECT_EQ(tree.error().place->line, 2);
+  EXPECT_EQ(tree.error().place->column, 10);
+}
+
+TEST(RuleDerivation, AnOperationThatATypeCantTakeStopsBeforeTheRuleRuns) {
+  const auto tree = TryRules("Lot --> extrude(3) Mass\nMass --> color(\"#ffffff\") extrude(2) X");
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kWrongItemType);
+  EXPECT_THAT(tree.error().message, HasSubstr("rule Mass: extrude can't be applied to a Volum"));
+}
+
+TEST(RuleDerivation, NothingVisibleIsAnError) {
+  const auto tree = TryRules("Lot --> NIL");
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kNothingMade);
+}
+
+constexpr std::string_view kTown = R"(
+  attr floor = 3
+  Lot --> extrude(rand(6, 20)) Mass
+  Mass --> comp(f) { side: Facade | top: 50%: Flat else: extrude(1) Attic }
+  Facade --> split(y) { ~floor: Floor }*
+  Floor --> split(x) { ~2: Tile }*
+  Tile --> 70%: split(x) { ~1: Wall | 1: Glass | ~1: Wall } 20%: extrude(0.3) Balcony else: Wall
+)";
+
+std::vector<Item> TownLots(size_t count) {
+  std::vector<Item> lots;
+  for (size_t i = 0; i < count; ++i) {
+    lots.push_back(LotOf(8 + static_cast<double>(i % 5), 12)[0].item);
+  }
+  return lots;
+}
+
+std::string BytesOfTown(size_t lots, int threads) {
+  const auto items = TownLots(lots);
+  const auto trees = DeriveRules(RulesFrom(kTown), {}, items, {threads, nullptr, nullptr, nullptr});
+  EXPECT_TRUE(trees) << FormatError(trees.error());
+  std::string bytes;
+  for (const ShapeTree& tree : *trees) bytes += Bytes(tree);
+  return bytes;
+}
+
+TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameBytes) {
+  for (const size_t lots : {1u, 3u, 60u}) {
+    const std::string one = BytesOfTown(lots, 1);
+    for (const int threads : {2, 3, 8}) EXPECT_EQ(BytesOfTown(lots, threads), one) << lots;
+  }
+}
+
+TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameError) {
+  const RuleSet rules = RulesFrom(R"(
+    Lot --> split(x) { 0.1: Part }*
+    Part --> case split.index == 137: extrude(0 * 1) X else: split(y) { 0.1: Leaf }*
+  )");
+  const Item lot = LotOf(20, 10)[0].item;
+  const auto one = DeriveRules(rules, {}, {&lot, 1}, {1, nullptr, nullptr, nullptr});
+  const auto two = DeriveRules(rules, {}, {&lot, 1}, {2, nullptr, nullptr, nullptr});
+  ASSERT_FALSE(one);
+  ASSERT_FALSE(two);
+  EXPECT_EQ(FormatError(one.error()), FormatError(two.error()));
+  EXPECT_THAT(one.error().message, HasSubstr("(shape 137)"));
+}
+
+TEST(RuleDerivation, TheFirstOfSeveralLotsThatFailsIsTheOneNamed) {
+  const RuleSet rules =
+      RulesFrom("height = case scope.sx > 9: 0 else: 3\nLot --> extrude(height) Mass");
+  const auto lots = TownLots(5);
+  const auto trees = DeriveRules(rules, {}, lots, {});
+  ASSERT_FALSE(trees);
+  EXPECT_THAT(trees.error().message, HasSubstr("lot-2: "));
+}
+
+}  // namespace
+}  // namespace parti::grammar
