@@ -26,8 +26,10 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 }  // namespace
 
 std::span<const Operation> Operations() {
-  static const Operation rows[] = {kExtrude, kSplit, kRepeat, kComp,    kOffset,    kTag,
-                                   kSymbol,  kColor, kLayers, kSegment, kVectorial, kSetProperty};
+  static const Operation rows[] = {kExtrude,   kSplit,       kRepeat,  kComp,      kOffset,
+                                   kTag,       kSymbol,      kColor,   kLayers,    kSegment,
+                                   kVectorial, kSetProperty, kRoofHip, kRoofGable, kRoofPyramid,
+                                   kRoofShed,  kTaper};
   return rows;
 }
 

@@ -1,7 +1,7 @@
 // Moving polygons inward and outward with mitred corners (Offset), and the ring between (Border).
 //
 // Convex outlines without holes are done here: no edge can meet any but its neighbours' successors,
-// so that cutting by every moved edge in turn is the whole straight skeleton. All else is CGAL's.
+// so that cutting by every moved edge in turn is all. All else are levels of straight skeletons.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@
 namespace parti::grammar {
 namespace {
 
-/// Larger convex outlines than this are left to CGAL: cutting takes the square of their corners.
+/// Larger convex outlines than this are left to skeletons, which are as slow then, but no slower.
 constexpr size_t kMostConvexCorners = 64;
 
 bool IsConvex(const Ring& ring) {
@@ -83,9 +83,16 @@ void DropSlivers(std::vector<Polygon>* pieces) {
   });
 }
 
+Result<std::vector<Polygon>> SkeletonOffset(const Polygon& polygon, double extent,
+                                            double distance) {
+  const auto skeleton = StraightSkeleton(polygon, extent);
+  if (!skeleton) return Fail(skeleton);
+  return LevelOf(*skeleton, distance);
+}
+
 Result<std::vector<Polygon>> Shrink(const Polygon& polygon, double distance) {
   if (UseConvex(polygon)) return std::vector<Polygon>{{ShrinkConvex(polygon.outer, distance), {}}};
-  return SkeletonOffset(polygon, distance);
+  return SkeletonOffset(polygon, ExtentOf(polygon), distance);
 }
 
 /// How far the outline's corners can move: the longest mitre.
@@ -109,7 +116,8 @@ Result<Polygon> GrowOutline(const Ring& outline, double distance) {
   const double margin = 2 * (Reach(outline, distance) + distance) + 1;
   const Vec2 low = box.low - Vec2(margin), high = box.high + Vec2(margin);
   const Polygon around{{low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)}, {Reversed(outline)}};
-  auto pieces = SkeletonOffset(around, distance);
+  // As fine as the outline asks for, however wide the frame is.
+  auto pieces = SkeletonOffset(around, ExtentOf({outline, {}}), distance);
   if (!pieces) return Fail(pieces);
   const auto framed = std::max_element(
       pieces->begin(), pieces->end(),

@@ -3,10 +3,16 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
-#include <CGAL/create_offset_polygons_from_polygon_with_holes_2.h>
+#include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <exception>
+#include <optional>
+
+#include "grammar/polygon_crossing.h"
+#include "grammar/polygon_nesting.h"
+#include "grammar/skeleton_refine.h"
 
 namespace parti::grammar {
 namespace {
@@ -14,6 +20,35 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalRing = CGAL::Polygon_2<Kernel>;
 using CgalPolygon = CGAL::Polygon_with_holes_2<Kernel>;
+using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel>;
+
+/// Faces may overlap or miss this share of the polygon before the division is none.
+constexpr double kAreaShare = 1e-6;
+
+/// A polygon on a grid around its middle. Its corners keep the numbers of the one it was made from.
+struct Gridded {
+  Vec2 middle{0, 0};
+  double grid = 0;
+  std::vector<Ring> rings;  ///< outline, then holes
+
+  Gridded(const Polygon& polygon, double grid_m) : grid(grid_m) {
+    const Box2 box = Bounds(polygon);
+    middle = (box.low + box.high) * 0.5;
+    Add(polygon.outer);
+    for (const Ring& hole : polygon.holes) Add(hole);
+  }
+
+  void Add(const Ring& ring) {
+    Ring& rounded = rings.emplace_back();
+    for (const Vec2& p : ring) rounded.push_back(glm::round((p - middle) / grid) * grid);
+  }
+
+  /// Rounding has moved no corner across an edge; corners that touch are left to CGAL.
+  bool IsSimple() const {
+    const auto contact = FindContact(rings, 0);
+    return !contact || !contact->crosses;
+  }
+};
 
 CgalRing ToCgal(const Ring& ring) {
   CgalRing result;
@@ -21,34 +56,111 @@ CgalRing ToCgal(const Ring& ring) {
   return result;
 }
 
-Ring FromCgal(const CgalRing& ring, bool counter_clockwise) {
-  Ring result;
-  for (const auto& p : ring.container()) result.emplace_back(p.x(), p.y());
-  if ((SignedArea(result) > 0) != counter_clockwise) std::reverse(result.begin(), result.end());
-  return result;
+boost::shared_ptr<CgalSkeleton> Run(const Gridded& gridded) {
+  try {
+    CgalPolygon input(ToCgal(gridded.rings[0]));
+    for (size_t i = 1; i < gridded.rings.size(); ++i) input.add_hole(ToCgal(gridded.rings[i]));
+    return CGAL::create_interior_straight_skeleton_2(input);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+/// CGAL numbers vertices and halfedges by creation: contour vertices first, ring by ring.
+std::optional<Skeleton> FromCgal(const CgalSkeleton& given, const Gridded& gridded) {
+  Skeleton skeleton;
+  std::vector<uint32_t> number(given.size_of_vertices() + 1, UINT32_MAX);
+  size_t corner = 0;
+  const auto number_of = [&](const auto& vertex) -> uint32_t& {
+    const auto id = static_cast<size_t>(vertex->id());
+    if (id >= number.size()) number.resize(id + 1, UINT32_MAX);
+    return number[id];
+  };
+  for (auto v = given.vertices_begin(); v != given.vertices_end(); ++v) {
+    if (v->has_infinite_time()) return std::nullopt;
+    if (!v->is_contour()) continue;
+    number_of(v) = static_cast<uint32_t>(corner++);
+    skeleton.nodes.push_back({Vec2(v->point().x(), v->point().y()), 0});
+  }
+  size_t at = 0;
+  for (const Ring& ring : gridded.rings) {
+    for (const Vec2& p : ring) {
+      if (at >= corner || skeleton.nodes[at++].at != p) return std::nullopt;
+    }
+  }
+  if (at != corner) return std::nullopt;
+  for (auto v = given.vertices_begin(); v != given.vertices_end(); ++v) {
+    if (v->is_contour()) continue;
+    number_of(v) = static_cast<uint32_t>(skeleton.nodes.size());
+    skeleton.nodes.push_back({Vec2(v->point().x(), v->point().y()), v->time()});
+  }
+  skeleton.faces.resize(corner);
+  for (auto face = given.faces_begin(); face != given.faces_end(); ++face) {
+    const auto edge = face->halfedge()->defining_contour_edge();
+    const uint32_t first = number_of(edge->opposite()->vertex());
+    std::vector<uint32_t>& loop = skeleton.faces[first];
+    if (!loop.empty()) return std::nullopt;
+    auto at_edge = edge;
+    do {
+      loop.push_back(number_of(at_edge->opposite()->vertex()));
+      at_edge = at_edge->next();
+    } while (at_edge != edge);
+  }
+  return skeleton;
+}
+
+double AreaOf(const Skeleton& skeleton, const std::vector<uint32_t>& face) {
+  Ring ring;
+  ring.reserve(face.size());
+  for (const uint32_t i : face) ring.push_back(skeleton.nodes[i].at);
+  return SignedArea(ring);
+}
+
+/// Every edge has a face, none lies upside down, and together they are the polygon.
+bool Divides(const Skeleton& skeleton, const Polygon& polygon) {
+  const double whole = Area(polygon);
+  double sum = 0;
+  for (const auto& face : skeleton.faces) {
+    if (face.size() < 3) return false;
+    const double area = AreaOf(skeleton, face);
+    if (area < -kAreaShare * whole) return false;
+    sum += std::abs(area);
+  }
+  return std::abs(sum - whole) <= kAreaShare * whole;
+}
+
+std::optional<Skeleton> SkeletonOnGrid(const Polygon& polygon, double grid_m) {
+  const Gridded gridded(polygon, grid_m);
+  if (!gridded.IsSimple()) return std::nullopt;
+  const auto run = Run(gridded);
+  if (!run) return std::nullopt;
+  auto skeleton = FromCgal(*run, gridded);
+  if (!skeleton) return std::nullopt;
+  for (SkeletonNode& node : skeleton->nodes) node.at += gridded.middle;
+  Refine(polygon, gridded.grid, &*skeleton);
+  if (!Divides(*skeleton, polygon)) return std::nullopt;
+  return skeleton;
 }
 
 }  // namespace
 
-Result<std::vector<Polygon>> SkeletonOffset(const Polygon& polygon, double distance_m) {
-  try {
-    CgalPolygon input(ToCgal(polygon.outer));
-    for (const Ring& hole : polygon.holes) input.add_hole(ToCgal(hole));
-    std::vector<Polygon> pieces;
-    for (const auto& piece :
-         CGAL::create_interior_skeleton_and_offset_polygons_with_holes_2(distance_m, input)) {
-      pieces.push_back({FromCgal(piece->outer_boundary(), true), {}});
-      for (const CgalRing& hole : piece->holes()) {
-        pieces.back().holes.push_back(FromCgal(hole, false));
-      }
-    }
-    return pieces;
-  } catch (const std::exception&) {
-    return Fail(ErrorCode::kDegenerateGeometry,
-                fmt::format("a polygon of {} corners can't be offset by {:.4g} m",
-                            polygon.outer.size(), distance_m),
-                "move corners apart that nearly touch, or try another distance");
+Result<Skeleton> StraightSkeleton(const Polygon& polygon, double extent_m) {
+  const Polygon straight = Straightened(polygon, extent_m);
+  const double scale = std::ceil(std::log2(extent_m));
+  // Where rounding to the first grid makes the outline touch itself, finer ones may not.
+  for (const int bits : {26, 22, 31, 18}) {
+    auto skeleton = SkeletonOnGrid(straight, std::exp2(scale - bits));
+    if (!skeleton) continue;
+    skeleton->polygon = straight;
+    return std::move(*skeleton);
   }
+  return Fail(ErrorCode::kDegenerateGeometry,
+              fmt::format("a polygon of {} corners has no straight skeleton", polygon.outer.size()),
+              "move corners apart that nearly touch");
+}
+
+Result<Skeleton> StraightSkeleton(const Polygon& polygon) {
+  return StraightSkeleton(polygon, ExtentOf(polygon));
 }
 
 }  // namespace parti::grammar

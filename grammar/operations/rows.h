@@ -8,6 +8,7 @@ namespace parti::grammar {
 
 extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
     kSegment, kVectorial, kSetProperty;
+extern const Operation kRoofHip, kRoofGable, kRoofPyramid, kRoofShed, kTaper;
 
 /// The first successor whose selector is `kind`; -1 when there is none or it makes nothing (NIL).
 /// Only for actions without repeat groups.

@@ -264,7 +264,8 @@ RC_GTEST_PROP(OffsetProperty, OffsetsAddUp, (uint64_t seed)) {
     RC_ASSERT(second.has_value());
     sum += SumOfAreas(*second);
   }
-  RC_ASSERT(std::abs(sum - SumOfAreas(*both)) < 1e-5);
+  // Walls of 30 m may move by 0.05 mm where corners on them are left out (kStraight).
+  RC_ASSERT(std::abs(sum - SumOfAreas(*both)) < 1e-3);
 }
 
 RC_GTEST_PROP(OffsetProperty, OutwardContainsThePolygonAndItsSurroundings, (uint64_t seed)) {
