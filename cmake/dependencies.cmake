@@ -4,7 +4,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)  # dev is slow on purpose
 find_package(CGAL REQUIRED)
-pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
+pkg_check_modules(POLYCLIPPING REQUIRED IMPORTED_TARGET polyclipping)
 find_package(TBB REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(PNG REQUIRED)

@@ -1,96 +1,105 @@
 #include "grammar/layers/polygon_overlap.h"
 
-#include <geos_c.h>
-
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+#include <unordered_map>
 #include <utility>
 
 namespace parti::grammar {
 namespace {
 
-/// One call's GEOS: its messages are not printed, and nothing is shared between threads.
-class Geos {
+using ClipperLib::cInt;
+
+/// Clipper computes with integers: this part of the larger polygon's extent is 1. With it, products
+/// stay within its range, and rounding far below SceneTolerance.
+constexpr double kUnitsInExtent = 4e9;
+
+/// To Clipper's integers and back; corners and edges along the axes come back to the last bit.
+class Grid {
  public:
-  using Geometry = std::unique_ptr<GEOSGeometry, void (*)(GEOSGeometry*)>;
-
-  Geos() : handle_(GEOS_init_r()) {}
-  ~Geos() { GEOS_finish_r(handle_); }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-
-  GEOSGeometry* From(const Polygon& polygon) {
-    std::vector<GEOSGeometry*> holes;
-    for (const Ring& hole : polygon.holes) holes.push_back(From(hole));
-    return GEOSGeom_createPolygon_r(handle_, From(polygon.outer), holes.data(),
-                                    static_cast<unsigned>(holes.size()));
+  explicit Grid(const Box2& bounds) : origin_(bounds.low) {
+    const Vec2 size = bounds.high - bounds.low;
+    unit_ = std::max(size.x, size.y) / kUnitsInExtent;
   }
 
-  /// The polygons in a geometry: lines and points, where areas only touch, are none.
-  void AddPolygons(const GEOSGeometry* geometry, std::vector<Polygon>* polygons) {
-    if (GEOSGeomTypeId_r(handle_, geometry) == GEOS_POLYGON) {
-      if (GEOSisEmpty_r(handle_, geometry) != 0) return;
-      Polygon polygon{RingFrom(GEOSGetExteriorRing_r(handle_, geometry), false), {}};
-      const int holes = GEOSGetNumInteriorRings_r(handle_, geometry);
-      for (int i = 0; i < holes; ++i) {
-        polygon.holes.push_back(RingFrom(GEOSGetInteriorRingN_r(handle_, geometry, i), true));
-      }
-      polygons->push_back(std::move(polygon));
-      return;
-    }
-    const int parts = GEOSGetNumGeometries_r(handle_, geometry);
-    for (int i = 0; i < parts; ++i) {
-      const GEOSGeometry* part = GEOSGetGeometryN_r(handle_, geometry, i);
-      if (part != geometry) AddPolygons(part, polygons);
-    }
+  ClipperLib::Path PathOf(const Ring& ring) {
+    ClipperLib::Path path;
+    path.reserve(ring.size());
+    for (const Vec2& p : ring) path.emplace_back(Enter(p.x, 0), Enter(p.y, 1));
+    return path;
   }
 
-  GEOSGeometry* Intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
-    return GEOSIntersection_r(handle_, a, b);
-  }
-  void Destroy(GEOSGeometry* geometry) {
-    if (geometry != nullptr) GEOSGeom_destroy_r(handle_, geometry);
-  }
-
- private:
-  GEOSGeometry* From(const Ring& ring) {
-    const auto n = static_cast<unsigned>(ring.size());
-    GEOSCoordSequence* corners = GEOSCoordSeq_create_r(handle_, n + 1, 2);
-    for (unsigned i = 0; i <= n; ++i) {
-      GEOSCoordSeq_setXY_r(handle_, corners, i, ring[i % n].x, ring[i % n].y);
-    }
-    return GEOSGeom_createLinearRing_r(handle_, corners);
-  }
-
-  Ring RingFrom(const GEOSGeometry* line, bool hole) {
-    const GEOSCoordSequence* corners = GEOSGeom_getCoordSeq_r(handle_, line);
-    unsigned n = 0;
-    GEOSCoordSeq_getSize_r(handle_, corners, &n);
-    Ring ring(n > 0 ? n - 1 : 0);
-    for (unsigned i = 0; i < ring.size(); ++i) {
-      GEOSCoordSeq_getXY_r(handle_, corners, i, &ring[i].x, &ring[i].y);
-    }
-    if ((SignedArea(ring) < 0) != hole) std::reverse(ring.begin(), ring.end());
+  Ring RingFrom(const ClipperLib::Path& path) const {
+    Ring ring;
+    ring.reserve(path.size());
+    for (const ClipperLib::IntPoint& p : path) ring.emplace_back(Leave(p.X, 0), Leave(p.Y, 1));
     return ring;
   }
 
-  GEOSContextHandle_t handle_;
+ private:
+  /// Of values that fall on one integer, the first is what it means.
+  cInt Enter(double value, int axis) {
+    const cInt integer = std::llround((value - origin_[axis]) / unit_);
+    known_[axis].emplace(integer, value);
+    return integer;
+  }
+  double Leave(cInt integer, int axis) const {
+    const auto known = known_[axis].find(integer);
+    if (known != known_[axis].end()) return known->second;
+    return origin_[axis] + static_cast<double>(integer) * unit_;
+  }
+
+  Vec2 origin_;
+  double unit_;
+  std::unordered_map<cInt, double> known_[2];
 };
+
+void Add(const Polygon& polygon, ClipperLib::PolyType type, Grid* grid,
+         ClipperLib::Clipper* clipper) {
+  clipper->AddPath(grid->PathOf(polygon.outer), type, true);
+  for (const Ring& hole : polygon.holes) clipper->AddPath(grid->PathOf(hole), type, true);
+}
+
+/// Outlines, their holes, and the outlines in these.
+void AddPolygons(const ClipperLib::PolyNode& node, const Grid& grid,
+                 std::vector<Polygon>* polygons) {
+  for (const ClipperLib::PolyNode* outline : node.Childs) {
+    Polygon polygon{grid.RingFrom(outline->Contour), {}};
+    for (const ClipperLib::PolyNode* hole : outline->Childs) {
+      polygon.holes.push_back(grid.RingFrom(hole->Contour));
+      AddPolygons(*hole, grid, polygons);
+    }
+    polygons->push_back(std::move(polygon));
+  }
+}
+
+Box2 BoundsOf(const Polygon& a, const Polygon& b) {
+  const Box2 p = Bounds(a), q = Bounds(b);
+  return {glm::min(p.low, q.low), glm::max(p.high, q.high)};
+}
 
 }  // namespace
 
 Result<std::vector<Polygon>> Overlap(const Polygon& a, const Polygon& b) {
-  Geos geos;
-  GEOSGeometry* const from_a = geos.From(a);
-  GEOSGeometry* const from_b = geos.From(b);
-  GEOSGeometry* const both =
-      from_a != nullptr && from_b != nullptr ? geos.Intersection(from_a, from_b) : nullptr;
+  Grid grid(BoundsOf(a, b));
   std::vector<Polygon> polygons;
-  if (both != nullptr) geos.AddPolygons(both, &polygons);
-  for (GEOSGeometry* geometry : {from_a, from_b, both}) geos.Destroy(geometry);
-  if (both != nullptr) return polygons;
-  return Fail(ErrorCode::kDegenerateGeometry, "a polygon that crosses itself can't be cut",
-              "move its corners apart");
+  try {
+    ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+    Add(a, ClipperLib::ptSubject, &grid, &clipper);
+    Add(b, ClipperLib::ptClip, &grid, &clipper);
+    ClipperLib::PolyTree tree;
+    if (clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftNonZero,
+                        ClipperLib::pftNonZero)) {
+      AddPolygons(tree, grid, &polygons);
+      return polygons;
+    }
+  } catch (const ClipperLib::clipperException&) {
+    // Coordinates out of range: told below, as for what it refuses.
+    polygons.clear();
+  }
+  return Fail(ErrorCode::kDegenerateGeometry, "two shapes of a scene can't be cut to one another",
+              "move their corners apart");
 }
 
 }  // namespace parti::grammar

@@ -109,7 +109,9 @@ Result<Region> Shared(const Region& a, const Region& b, const Negligible& neglig
       for (Polygon& piece : *pieces) shared.push_back(std::move(piece));
     }
   }
-  return RegionOf(std::move(shared));
+  // Stitched, as a hole may come to lie on its outline by less than counts. Small areas count here:
+  // regions that share one are not disjoint.
+  return RegionOf(Stitch(shared, {}, {tolerance, 0}));
 }
 
 Region Without(const Region& region, std::span<const Region> parts, const Negligible& negligible) {
