@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   AddSuggestCommand(app, &run);
   AddDevicesCommand(app, &run);
   AddRecordCommand(app, &run);
+  AddCheckCommand(app, &run);
   AddQueryCommand(app, &run);
   AddReplayCommand(app, &run);
   AddReportCommand(app, &run);

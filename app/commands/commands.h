@@ -28,6 +28,7 @@ void AddRecordCommand(CLI::App& app, Run* run);
 void AddReplayCommand(CLI::App& app, Run* run);
 void AddReportCommand(CLI::App& app, Run* run);
 void AddQueryCommand(CLI::App& app, Run* run);
+void AddCheckCommand(CLI::App& app, Run* run);
 void AddRenderCommand(CLI::App& app, Run* run);
 void AddExportCommand(CLI::App& app, Run* run);
 

@@ -57,7 +57,8 @@ class BodyWriter {
       } else if (alternative.condition) {
         head = WeightText(rules_, rule_.parameters, *alternative.condition);
       }
-      text += head + Text(*alternative.body, indent + head.size(), inner);
+      const std::string chosen = Text(*alternative.body, indent + head.size(), inner);
+      text += head + (chosen.empty() ? "[ ]" : chosen);
     }
     return text;
   }

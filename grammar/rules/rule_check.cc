@@ -231,6 +231,11 @@ void RuleChecker::CheckCycles() {
   }
 }
 
+bool RuleChecker::IsLost(std::string_view name) const {
+  return std::any_of(module_->lost.begin(), module_->lost.end(),
+                     [&](const std::string& prefix) { return name.starts_with(prefix); });
+}
+
 void RuleChecker::Report(TextRange range, ErrorCode code, std::string message, std::string hint) {
   if (reporting_) errors_->Report(range, code, std::move(message), std::move(hint));
 }

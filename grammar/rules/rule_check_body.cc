@@ -32,7 +32,15 @@ Body RuleChecker::Resolve(const WrittenBody& written) {
   body.kind = written.kind;
   body.range = written.range;
   for (const WrittenStatement& statement : written.statements) {
-    if (auto resolved = Resolve(statement)) body.statements.push_back(std::move(*resolved));
+    auto resolved = Resolve(statement);
+    const bool is_pop = resolved && resolved->kind == Statement::Kind::kPop;
+    const bool is_pair =
+        is_pop && !body.statements.empty() && body.statements.back().kind == Statement::Kind::kPush;
+    if (is_pair) {
+      body.statements.pop_back();  // [ ] changes nothing
+    } else if (resolved) {
+      body.statements.push_back(std::move(*resolved));
+    }
   }
   const Expected condition = body.kind == Body::Kind::kCase
                                  ? Expected{ValueType::kBool, "condition"}
@@ -147,7 +155,7 @@ void RuleChecker::RefuseSymbol(const WrittenStatement& written, const std::vecto
 }
 
 void RuleChecker::RefuseUnknown(const WrittenStatement& written) {
-  if (!reporting_) return;
+  if (!reporting_ || IsLost(written.name)) return;
   const auto meant = DidYouMean(written.name, Callables(names_, module_->prefix));
   const bool is_symbol = !written.called || written.deferred;
   if (is_symbol) {

@@ -247,7 +247,7 @@ void RuleChecker::Set(MaybeType* known, MaybeType type) {
 }
 
 void RuleChecker::RefuseName(const WrittenExpression& written) {
-  if (!reporting_) return;
+  if (!reporting_ || IsLost(written.name)) return;
   std::vector<size_t> counts = names_.FunctionsNamed(FullName(written.name));
   if (counts.empty()) counts = BuiltInsNamed(written.name);
   if (!counts.empty()) {

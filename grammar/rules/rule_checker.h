@@ -118,6 +118,7 @@ class RuleChecker {
   void Learn(const Expression& expression, MaybeType type);
   void RefuseName(const WrittenExpression& written);
   std::string FullName(const std::string& name) const { return module_->prefix + name; }
+  bool IsLost(std::string_view name) const;
   uint32_t ParameterNamed(std::string_view name) const;
 
   // all

@@ -39,36 +39,34 @@ class Importing {
   Importing(const RuleImporter& importer, std::deque<RuleModule>* modules, RuleErrors* errors)
       : importer_(importer), modules_(modules), errors_(errors) {}
 
-  void ImportsOf(const RuleModule& module) {
+  void ImportsOf(RuleModule* module) {
     std::set<std::string_view> prefixes;
-    for (const WrittenImport& import : module.rules.imports) {
+    for (const WrittenImport& import : module->rules.imports) {
       if (!prefixes.insert(import.prefix).second) {
         errors_->Report(import.range, ErrorCode::kBadText,
                         fmt::format("two imports have the prefix '{}'", import.prefix));
-      } else if (modules_->size() > kMostImports || DepthOf(module) >= kDeepestImport) {
-        errors_->Report(import.range, ErrorCode::kLimitReached, "too many files are imported",
-                        fmt::format("at most {}, and {} deep", kMostImports, kDeepestImport));
-      } else {
-        Import(module, import);
+      } else if (!Import(*module, import)) {
+        module->lost.push_back(import.prefix + ".");
       }
     }
   }
 
  private:
-  void Import(const RuleModule& module, const WrittenImport& import) {
-    if (!importer_) {
-      errors_->Report(import.range, ErrorCode::kFile, "files can't be imported here");
-      return;
+  bool Refuse(const WrittenImport& import, Error error) {
+    errors_->Report(import.range, std::move(error));
+    return false;
+  }
+
+  bool Import(const RuleModule& module, const WrittenImport& import) {
+    if (modules_->size() > kMostImports || DepthOf(module) >= kDeepestImport) {
+      return Refuse(import, {ErrorCode::kLimitReached, "too many files are imported",
+                             fmt::format("at most {}, and {} deep", kMostImports, kDeepestImport)});
     }
+    if (!importer_) return Refuse(import, {ErrorCode::kFile, "files can't be imported here"});
     auto file = importer_(import.path, errors_->files()[module.file].name);
-    if (!file) {
-      errors_->Report(import.range, std::move(file.error()));
-      return;
-    }
+    if (!file) return Refuse(import, std::move(file.error()));
     if (IsWithin(&module, file->name, *errors_)) {
-      errors_->Report(import.range, ErrorCode::kFile,
-                      fmt::format("'{}' imports itself", import.path));
-      return;
+      return Refuse(import, {ErrorCode::kFile, fmt::format("'{}' imports itself", import.path)});
     }
     RuleModule& added = modules_->emplace_back();
     added.file = errors_->AddFile(std::move(file->name), std::move(file->text));
@@ -82,6 +80,7 @@ class Importing {
       errors_->Report(import.range, ErrorCode::kUnknownName,
                       fmt::format("'{}' has no style '{}'", import.path, import.style));
     }
+    return true;
   }
 
   const RuleImporter& importer_;
@@ -109,7 +108,7 @@ std::deque<RuleModule> ReadModules(std::string_view text, std::string_view file,
   modules[0].rules = ReadRules(errors->files()[0].text, 0, errors);
   CheckStyles(modules[0].rules, errors);
   Importing importing(importer, &modules, errors);
-  for (size_t i = 0; i < modules.size() && !errors->Full(); ++i) importing.ImportsOf(modules[i]);
+  for (size_t i = 0; i < modules.size() && !errors->Full(); ++i) importing.ImportsOf(&modules[i]);
   return modules;
 }
 

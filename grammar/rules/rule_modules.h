@@ -20,6 +20,7 @@ struct RuleModule {
   const RuleModule* importer = nullptr;   ///< null: the file that was asked for
   const WrittenImport* import = nullptr;  ///< of the importer; null where that is
   uint32_t file = 0;
+  std::vector<std::string> lost;  ///< "roof.": prefixes of imports that could not be read
 };
 
 /// Reads a file and all that it imports; the first is the file itself, each stands behind its

@@ -63,7 +63,7 @@ class RuleParser {
   bool ReadBody(WrittenBody* body);
   bool ReadCases(WrittenBody* body);
   bool ReadChances(WrittenBody* body);
-  bool ReadAlternativeBody(WrittenBody* body, std::vector<WrittenExpression> condition);
+  bool ReadChosen(WrittenBody::Alternative* alternative);
   bool ReadSequence(WrittenBody* body);
   bool ReadStep(WrittenStatement* statement);
   bool ReadArguments(std::vector<WrittenArgument>* arguments);

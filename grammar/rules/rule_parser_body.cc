@@ -30,11 +30,11 @@ bool RuleParser::ReadCases(WrittenBody* body) {
     auto& alternative = body->alternatives.emplace_back();
     first_ = false;
     if (!ReadExpression(&alternative.condition.emplace_back()) ||
-        !Expect(':', "':' after the condition") || !ReadBody(&alternative.body.emplace_back())) {
+        !Expect(':', "':' after the condition") || !ReadChosen(&alternative)) {
       return false;
     }
   }
-  return ReadElse() && ReadBody(&body->alternatives.emplace_back().body.emplace_back());
+  return ReadElse() && ReadChosen(&body->alternatives.emplace_back());
 }
 
 bool RuleParser::ReadChances(WrittenBody* body) {
@@ -42,13 +42,20 @@ bool RuleParser::ReadChances(WrittenBody* body) {
   while (AtWeight()) {
     auto& alternative = body->alternatives.emplace_back();
     first_ = false;
-    if (!ReadWeight(&alternative.condition.emplace_back()) ||
-        !ReadBody(&alternative.body.emplace_back())) {
+    if (!ReadWeight(&alternative.condition.emplace_back()) || !ReadChosen(&alternative)) {
       return false;
     }
   }
   if (!lexer_.AtWord("else")) return true;
-  return ReadElse() && ReadBody(&body->alternatives.emplace_back().body.emplace_back());
+  return ReadElse() && ReadChosen(&body->alternatives.emplace_back());
+}
+
+bool RuleParser::ReadChosen(WrittenBody::Alternative* alternative) {
+  WrittenBody& body = alternative->body.emplace_back();
+  if (!ReadBody(&body)) return false;
+  // An empty one before another case would be read as holding it.
+  if (body.kind != Body::Kind::kSequence || !body.statements.empty()) return true;
+  return Unexpected("an operation or a symbol; [ ] changes nothing");
 }
 
 bool RuleParser::ReadSequence(WrittenBody* body) {

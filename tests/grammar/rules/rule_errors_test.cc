@@ -132,6 +132,7 @@ TEST(RuleErrors, ValuesThatNeedThemselves) {
 TEST(RuleErrors, ChancesAndCasesHaveAnElse) {
   EXPECT_THAT(ErrorOf("A --> case true: B"), HasSubstr("expected 'else:'"));
   EXPECT_THAT(ErrorOf("A --> 50%: B 20%: C"), HasSubstr("lack an else"));
+  EXPECT_THAT(ErrorOf("A --> case true: else: B"), HasSubstr("[ ] changes nothing"));
   EXPECT_THAT(ErrorOf("A --> 70%: B 60%: C else: D"), HasSubstr("sum up to 130 %"));
   EXPECT_THAT(ErrorOf("attr a = 101%: 1 else: 2"), HasSubstr("a weight of 101 %"));
 }
@@ -159,6 +160,8 @@ TEST(RuleErrors, ImportsThatLeadNowhere) {
                            {"bad.cga", "B --> extrude(\n"}});
   EXPECT_THAT(ErrorOf("import x : \"none.cga\"", options), StartsWith("1:12 there is no file"));
   EXPECT_THAT(ErrorOf("import a : \"a.cga\"\nLot --> a.A", options), HasSubstr("imports itself"));
+  EXPECT_THAT(ErrorOf("import x : \"none.cga\"\nA --> x.B x.C(x.d)", options),
+              StartsWith("1:12 there is no file"));
   EXPECT_THAT(ErrorOf("import x : \"none.cga\""), HasSubstr("can't be imported here"));
   EXPECT_THAT(ErrorOf("import b : \"bad.cga\"", options), StartsWith("2:1 expected a value"));
   options.importer = From({{"c.cga", "attr height = 1"}});

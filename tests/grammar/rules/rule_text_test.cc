@@ -107,6 +107,12 @@ TEST(RuleText, AnEmptyBodyLeavesTheShape) {
   EXPECT_EQ(TextOf(rules), "A -->\nB --> split(x) { 1:  | ~1: C }\n");
 }
 
+TEST(RuleText, ACaseThatChangesNothingIsAnEmptyPair) {
+  const RuleSet rules = RulesFrom("A --> case split.index > 0: [ [ ] ] else: B");
+  EXPECT_THAT(rules.rules[0].body.alternatives[0].body->statements, IsEmpty());
+  EXPECT_EQ(TextOf(rules), "A --> case split.index > 0: [ ] else: B\n");
+}
+
 TEST(RuleText, CasesAndChancesNest) {
   EXPECT_EQ(Written(R"(attr h = 3
 A --> case h > 2 && h != 4: case h == 3: X else: Y
@@ -310,9 +316,7 @@ TEST(RuleText, ReadsTheScenes) {
     PARTI_NEED_DATA(path, std::string("../") + name);
     const auto text = ReadFile(path);
     ASSERT_TRUE(text);
-    RuleOptions options;
-    options.skip_unknown = true;
-    Written(*text, options);
+    Written(*text);
   }
 }
 
