@@ -63,6 +63,15 @@ Polygon CutPiece(const Polygon& gable, const Polygon& shape) {
   return *largest;
 }
 
+/// A few last bits to either side, as chains of cuts leave them.
+Polygon Rounded(Polygon polygon, Random* random) {
+  for (Vec2& p : polygon.outer) {
+    p.x *= 1 + std::round(random->Uniform(-2.5, 2.5)) * 0x1p-52;
+    p.y *= 1 + std::round(random->Uniform(-2.5, 2.5)) * 0x1p-52;
+  }
+  return polygon;
+}
+
 WallScene Grid(int columns, int rows, bool arched) {
   WallScene scene{Box({0, 0}, {3.0 * columns, 3.0 * rows}), {}};
   for (int row = 0; row < rows; ++row) {
@@ -79,18 +88,51 @@ WallScene Grid(int columns, int rows, bool arched) {
 
 }  // namespace
 
-std::vector<std::pair<Polygon, Polygon>> CutPairs(size_t count, uint64_t seed) {
+std::vector<Pair> CutPairs(size_t count, uint64_t seed) {
   Random random(seed);
-  std::vector<std::pair<Polygon, Polygon>> pairs;
+  std::vector<Pair> pairs;
   while (pairs.size() < count) {
     const Polygon gable = Gable(&random);
     Polygon a = CutPiece(gable, AnyShape(&random)), b = CutPiece(gable, AnyShape(&random));
     if (a.outer.size() < 3 || b.outer.size() < 3) continue;
     if (random.Uniform() < 0.3) b = CutPiece(a, b);  // inside, sharing borders
     if (b.outer.size() < 3 || grammar::Area(b) < 1e-6) continue;
-    pairs.emplace_back(std::move(a), std::move(b));
+    pairs.emplace_back(Rounded(std::move(a), &random), Rounded(std::move(b), &random));
   }
   return pairs;
+}
+
+Pair PairOfAFailure() {
+  return {{{{0.75504638830598292, 4.6551073336747599},
+            {2.3735584563668635, 3.210567539009813},
+            {3.0010476886974855, 3},
+            {7.5100000000000016, 3},
+            {7.5100000000000016, 4.2549999999999999},
+            {7.1628958819979793, 4.7995240925925353},
+            {6.1903317555148618, 5.2361985104973776},
+            {4.7849358735168828, 5.4785345297881882},
+            {3.2250641264831197, 5.4785345297881882},
+            {1.8196682444851404, 5.2361985104973776},
+            {0.84710411800202268, 4.7995240925925353}},
+           {}},
+          {{{10.816702107840824, 8.3466129061607237},
+            {10.166236883441252, 8.3084214211336374},
+            {10.816702107840824, 11.471581452145104},
+            {10.816702107840824, 15.160663326581254},
+            {9.3445427666024212, 13.921046722926857},
+            {6.8117606134948705, 14.481691975121281},
+            {6.7865723323810672, 9.8936095255702128},
+            {5.3269434642172273, 9.307585393181899},
+            {1.5949208255224558, 9.0078944124680778},
+            {0.50000000000000044, 7.546751179162249},
+            {0.50000000000000044, 4.8827390360660594},
+            {2.3735584563668635, 3.210567539009813},
+            {4.9216962190974272, 2.3554849812370344},
+            {5.4597018992002431, 0},
+            {8.4087010163772078, 1.4362508623621411},
+            {10.145774491817861, 0.41354531559044538},
+            {10.816702107840824, 0.45927933950051492}},
+           {}}};
 }
 
 WallScene ArchedGrid(int columns, int rows) { return Grid(columns, rows, true); }

@@ -9,9 +9,14 @@
 
 namespace parti::bench {
 
+/// Two polygons of which the intersection is wanted.
+using Pair = std::pair<grammar::Polygon, grammar::Polygon>;
+
 /// Arches, tiles and gables that were cut to one another before, so that they share slanted edges
-/// up to rounding, or up to 1e-12 m; pairs of which the intersection is wanted.
-std::vector<std::pair<grammar::Polygon, grammar::Polygon>> CutPairs(size_t count, uint64_t seed);
+/// up to a few last bits, or up to 1e-12 m.
+std::vector<Pair> CutPairs(size_t count, uint64_t seed);
+/// A random scene's pair, one inside the other, of which GEOS finds nothing to be shared.
+Pair PairOfAFailure();
 
 /// A wall, and what is to be taken out of it.
 struct WallScene {
