@@ -5,11 +5,13 @@
 namespace parti::grammar {
 namespace {
 
-constexpr std::array<std::string_view, 20> kSelectorNames = {
-    "all",         "front",        "back",        "left",         "right",
-    "top",         "bottom",       "side",        "vertical",     "horizontal",
-    "index",       "inside",       "border",      "street.front", "street.back",
-    "street.left", "street.right", "street.side", "shape",        "remainder"};
+constexpr std::array<std::string_view, 33> kSelectorNames = {
+    "all",      "front",        "back",        "left",        "right",        "top",
+    "bottom",   "side",         "vertical",    "horizontal",  "index",        "inside",
+    "border",   "street.front", "street.back", "street.left", "street.right", "street.side",
+    "shape",    "remainder",    "aslant",      "nutant",      "eave",         "hip",
+    "valley",   "ridge",        "world.south", "world.north", "world.west",   "world.east",
+    "world.up", "world.down",   "world.side"};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 namespace parti::grammar {
 
+struct Asset;
 struct Operation;
 
 /// An axis of an item's scope.
@@ -49,7 +51,20 @@ struct Selector {
     kStreetRight,
     kStreetSide,
     kShape,
-    kRemainder
+    kRemainder,
+    kAslant,
+    kNutant,
+    kEave,
+    kHip,
+    kValley,
+    kRidge,
+    kWorldSouth,
+    kWorldNorth,
+    kWorldWest,
+    kWorldEast,
+    kWorldUp,
+    kWorldDown,
+    kWorldSide
   };
   Kind kind = Kind::kAll;
   int index = 0;  ///< kIndex
@@ -88,7 +103,9 @@ struct Action {
   const Operation* operation = nullptr;  ///< a row of the table; not null in a valid action
   std::vector<Argument> arguments;       ///< one per parameter of the row, in its order
   std::vector<Successor> successors;
-  std::string symbol;  ///< after an operation without braces: extrude(12) Mass
+  std::string symbol;                  ///< after an operation without braces: extrude(12) Mass
+  std::shared_ptr<const Asset> asset;  ///< read from the file it names (asset_library.h); never
+                                       ///< compared
   bool operator==(const Action&) const;
 };
 

@@ -39,9 +39,27 @@ Result<Size> ReadSize(Lexer* lexer) {
   return size;
 }
 
+/// A name, or names joined by dots as in street.front and scope.xy, as one token.
+Token DottedName(Lexer ahead) {
+  Token name = ahead.Next();
+  while (ahead.At('.') && ahead.Touching()) {
+    ahead.Next();
+    if (!ahead.At(Token::Kind::kName) || !ahead.Touching()) break;
+    const Token part = ahead.Next();
+    name.text += "." + part.text;
+    name.length = part.end() - name.offset;
+  }
+  return name;
+}
+
 Result<Written> ReadWritten(Lexer* lexer) {
   Written written{lexer->Peek(), std::nullopt};
-  if (lexer->At(Token::Kind::kName) || lexer->At(Token::Kind::kText)) {
+  if (lexer->At(Token::Kind::kName)) {
+    written.token = DottedName(*lexer);
+    while (lexer->Peek().offset < written.token.end()) lexer->Next();
+    return written;
+  }
+  if (lexer->At(Token::Kind::kText)) {
     lexer->Next();
     return written;
   }
@@ -166,19 +184,6 @@ Result<std::vector<SuccessorKey>> KeysFrom(const Lexer& lexer, const Operation& 
     }
   }
   return keys;
-}
-
-/// A name, or names joined by dots as in street.front, as one token.
-Token SelectorName(Lexer ahead) {
-  Token name = ahead.Next();
-  while (ahead.At('.') && ahead.Touching()) {
-    ahead.Next();
-    if (!ahead.At(Token::Kind::kName) || !ahead.Touching()) break;
-    const Token part = ahead.Next();
-    name.text += "." + part.text;
-    name.length = part.end() - name.offset;
-  }
-  return name;
 }
 
 /// Reads actions and their braces; holds what recursion needs.
@@ -333,7 +338,7 @@ class ActionReader {
     Selector selector;
     Token token = lexer_->Peek();
     if (token.kind == Token::Kind::kName) {
-      token = SelectorName(*lexer_);
+      token = DottedName(*lexer_);
       const auto kind = SelectorNamed(token.text);
       if (!kind) return UnknownSelector(token);
       selector.kind = *kind;
@@ -411,20 +416,23 @@ std::string TextOf(const Argument& argument, ParameterKind kind) {
   if (const Size* size = std::get_if<Size>(&argument)) return grammar::TextOf(*size);
   const std::string& text = std::get<std::string>(argument);
   // comp(f) is a word of the language; tag("x") is the user's.
-  return kind == ParameterKind::kWord ? NameText(text) : QuotedText(text);
+  return kind == ParameterKind::kWord ? text : QuotedText(text);
 }
 
 std::string ArgumentsText(const Action& action) {
   const Operation& row = *action.operation;
   size_t count = std::min(action.arguments.size(), row.parameters.size());
   while (count > 0 && !row.parameters[count - 1].required &&
+         row.parameters[count - 1].kind != ParameterKind::kColor &&
          action.arguments[count - 1] == row.parameters[count - 1].default_value) {
     --count;
   }
   std::vector<std::string> texts;
   for (size_t i = 0; i < count; ++i) {
     const Parameter& parameter = row.parameters[i];
-    const bool implied = !parameter.required && parameter.kind == ParameterKind::kWord &&
+    const bool is_color = parameter.kind == ParameterKind::kColor;  // in place of numbers
+    const bool implied = !parameter.required &&
+                         (is_color ? count > 1 : parameter.kind == ParameterKind::kWord) &&
                          action.arguments[i] == parameter.default_value;
     if (!implied) texts.push_back(TextOf(action.arguments[i], parameter.kind));
   }

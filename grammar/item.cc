@@ -68,12 +68,17 @@ class ScopedMesh {
   Mesh made_;
 };
 
-/// What a face of a mesh wears as an item of its own.
+/// What a face of a mesh wears as an item of its own: what the item says, then what the face does.
 std::shared_ptr<const Paint> PaintOf(const Item& volume, const Mesh& mesh, const MeshFace& face) {
   if (face.paint == 0) return volume.paint;
   Paint paint = mesh.paints[face.paint - 1];
   const Scope& s = volume.scope;
   if (paint.map) paint.map = InFrame(*paint.map, s.origin, s.x, s.y, s.z);
+  if (volume.paint) {
+    if (volume.paint->material) paint.material = volume.paint->material;
+    if (volume.paint->map) paint.map = volume.paint->map;
+    paint.projection = volume.paint->projection;
+  }
   return std::make_shared<const Paint>(std::move(paint));
 }
 
@@ -214,6 +219,10 @@ std::string_view NameOf(ItemType type) {
       return "Shape2D";
     case ItemType::kLayer:
       return "Layer";
+    case ItemType::kEdge:
+      return "Edge";
+    case ItemType::kPoint:
+      return "Point";
   }
   return "";
 }
@@ -230,6 +239,7 @@ Mesh MeshOf(const Item& volume) {
 }
 
 double AreaOf(const Item& item) {
+  if (!HasSurface(item.type)) return 0;
   const Vec3& size = item.scope.size;
   if (IsFlat(item.type)) {
     return item.polygon ? Area(*item.polygon) : size.x * size.y;
@@ -246,7 +256,7 @@ double AreaOf(const Item& item) {
 }
 
 double VolumeOf(const Item& item) {
-  if (IsFlat(item.type)) return 0;
+  if (item.type != ItemType::kVolume) return 0;
   const Vec3& size = item.scope.size;
   const double box = size.x * size.y * size.z;
   if (!item.mesh) return box;
@@ -254,6 +264,7 @@ double VolumeOf(const Item& item) {
 }
 
 std::vector<Item> FacesOf(const Item& item) {
+  if (!HasSurface(item.type)) return {};
   if (IsFlat(item.type)) return {item};
   std::vector<Item> faces;
   if (item.mesh) {
@@ -269,6 +280,11 @@ std::vector<Item> FacesOf(const Item& item) {
 }
 
 void EdgesOf(const Item& item, std::vector<Segment3>* edges) {
+  if (item.type == ItemType::kPoint) return;
+  if (item.type == ItemType::kEdge) {
+    edges->push_back({item.scope.origin, item.scope.ToWorld(Vec3(item.scope.size.x, 0, 0))});
+    return;
+  }
   if (IsFlat(item.type)) {
     if (!item.polygon) return AddRectangleEdges(item.scope, edges);
     AddRingEdges(item.scope, item.polygon->outer, edges);
@@ -290,6 +306,7 @@ std::vector<Segment3> EdgesOf(const Item& item) {
 }
 
 void TrianglesOf(const Item& item, std::vector<Vec3>* corners) {
+  if (!HasSurface(item.type)) return;
   if (IsFlat(item.type)) {
     if (!item.polygon) return AddRectangleTriangles(item.scope, corners);
     std::vector<Vec2> flat = item.polygon->outer;

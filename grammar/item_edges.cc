@@ -83,20 +83,31 @@ std::vector<ItemEdge> ItemEdgesOf(const Item& item) {
   return edges;
 }
 
+Vec3 OutwardOf(const ItemEdge& edge) {
+  return glm::normalize(glm::cross(edge.b - edge.a, edge.normal));
+}
+
 std::vector<ItemCorner> ItemCornersOf(const Item& item) {
-  const Mesh mesh = item.type == ItemType::kVolume ? MeshOf(item) : FlatMesh(item);
+  const bool is_body = item.type == ItemType::kVolume;
+  const Mesh mesh = is_body ? MeshOf(item) : FlatMesh(item);
   std::vector<ItemCorner> corners;
   std::vector<size_t> number(mesh.points.size(), SIZE_MAX);
   std::map<std::pair<uint32_t, uint32_t>, int> uses;
+  const auto add = [&](uint32_t point, const Vec3& direction) {
+    if (number[point] == SIZE_MAX) {
+      number[point] = corners.size();
+      corners.push_back({item.scope.ToWorld(mesh.points[point])});
+    }
+    corners[number[point]].normal += Turned(item.scope, direction);
+  };
   ForLoops(mesh, [&](const Vec3& normal, const Loop& loop) {
     for (size_t i = 0; i < loop.size(); ++i) {
       const uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
       ++uses[std::minmax(a, b)];
-      if (number[a] == SIZE_MAX) {
-        number[a] = corners.size();
-        corners.push_back({item.scope.ToWorld(mesh.points[a])});
-      }
-      corners[number[a]].normal += Turned(item.scope, normal);
+      const Vec3 edge = mesh.points[b] - mesh.points[a];
+      const Vec3 outward = glm::cross(edge, normal) / std::max(glm::length(edge), 1e-300);
+      add(a, is_body ? normal : outward);
+      if (!is_body) add(b, outward);
     }
   });
   for (const auto& [edge, count] : uses) {

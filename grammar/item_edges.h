@@ -20,13 +20,17 @@ struct ItemEdge {
 /// edges without length left out. cost  n log n for meshes.
 std::vector<ItemEdge> ItemEdgesOf(const Item& item);
 
-/// Each corner once, in the order in which the faces meet it first, with the mean of the normals of
-/// its faces (unit; 0 where they cancel).
+/// Out of the face along its edge: unit, in the face's plane, at right angles to the edge.
+Vec3 OutwardOf(const ItemEdge& edge);
+
+/// A corner of a body, with the mean of the normals of its faces; of a planar shape, with that of
+/// the outward directions of its two edges. Unit; 0 where they cancel.
 struct ItemCorner {
   Vec3 point;
   Vec3 normal{0, 0, 0};
   bool on_border = false;  ///< of what is open, or of a planar shape
 };
+/// Each corner once, in the order in which the faces' loops meet them first.
 std::vector<ItemCorner> ItemCornersOf(const Item& item);
 
 }  // namespace parti::grammar

@@ -54,6 +54,14 @@ struct Paint {
 /// back(p) = (dot(p - origin, x), dot(p - origin, y), dot(p - origin, z)) in an orthonormal frame.
 TextureMap InFrame(const TextureMap& map, const Vec3& origin, const Vec3& x, const Vec3& y,
                    const Vec3& z);
+/// The way back: At(p) of the result, p in that frame, is At of the point in the world.
+TextureMap LocalIn(const TextureMap& map, const Vec3& origin, const Vec3& x, const Vec3& y,
+                   const Vec3& z);
+/// The same map for points that were mirrored in [0, size] along the axes that are true.
+TextureMap Mirrored(const TextureMap& map, const Vec3& size, const bool (&flip)[3]);
+/// The map of a triangle's plane that gives its corners these coordinates; nothing where it has no
+/// area.
+std::optional<TextureMap> MapThrough(const Vec3 (&corners)[3], const Vec2 (&uvs)[3]);
 /// The same map for points that were moved by -low and then multiplied by scale (its parts not 0;
 /// where one is, the map loses what it said along that axis).
 TextureMap Rescaled(const TextureMap& map, const Vec3& low, const Vec3& scale);

@@ -28,7 +28,7 @@ struct Mesh {
   std::vector<Vec3> points;
   std::vector<MeshFace> faces;
   std::vector<Paint> paints;  ///< of single faces, maps in the mesh's coordinates; usually none
-  bool closed = true;         ///< every edge is in two loops, once each way round
+  bool closed = true;         ///< every edge runs as often one way round as the other
 
   bool operator==(const Mesh&) const = default;
 };
@@ -42,7 +42,7 @@ Mesh BoxMesh(const Vec3& size);
 Vec3 Normal(const Mesh& mesh, const MeshFace& face);
 /// Enclosed volume [m^3]; positive when the faces look outward; 0 for open meshes.
 double Volume(const Mesh& mesh);
-/// What Mesh::closed says, counted: every edge once each way round.
+/// What Mesh::closed says, counted.
 bool IsClosed(const Mesh& mesh);
 /// Moved by -low, then scaled (parts of scale not negative), paints with it. Where a part of scale
 /// is 0 the mesh lies flat.

@@ -23,16 +23,6 @@ void Reverse(Loop* loop) {
   std::rotate(loop->begin(), loop->end() - 2, loop->end());
 }
 
-TextureMap Mirrored(TextureMap map, const Vec3& size, const bool (&flip)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    if (!flip[i]) continue;
-    map.offset += Vec2(map.u[i], map.v[i]) * size[i];
-    map.u[i] = -map.u[i];
-    map.v[i] = -map.v[i];
-  }
-  return map;
-}
-
 }  // namespace
 
 bool IsClosed(const Mesh& mesh) {
@@ -42,12 +32,12 @@ bool IsClosed(const Mesh& mesh) {
     for (const Loop& hole : face.holes) AddEdges(hole, &edges);
   }
   std::sort(edges.begin(), edges.end());
-  const auto is_once = [&](const DirectedEdge& edge) {
+  const auto count = [&](const DirectedEdge& edge) {
     const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edge);
-    return last - first == 1;
+    return last - first;
   };
   return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const DirectedEdge& edge) {
-    return is_once(edge) && is_once({edge.second, edge.first});
+    return count(edge) == count({edge.second, edge.first});
   });
 }
 

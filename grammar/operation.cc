@@ -26,10 +26,13 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 }  // namespace
 
 std::span<const Operation> Operations() {
-  static const Operation rows[] = {kExtrude,   kSplit,       kRepeat,  kComp,      kOffset,
-                                   kTag,       kSymbol,      kColor,   kLayers,    kSegment,
-                                   kVectorial, kSetProperty, kRoofHip, kRoofGable, kRoofPyramid,
-                                   kRoofShed,  kTaper};
+  static const Operation rows[] = {
+      kExtrude,         kSplit,       kRepeat,     kComp,    kOffset,    kTag,
+      kSymbol,          kColor,       kLayers,     kSegment, kVectorial, kSetProperty,
+      kTranslate,       kScale,       kRotate,     kCenter,  kMirror,    kRoofHip,
+      kRoofGable,       kRoofPyramid, kRoofShed,   kTaper,   kInsert,    kCube,
+      kSphere,          kCylinder,    kCone,       kQuad,    kDisk,      kTexture,
+      kSetupProjection, kProjectUv,   kSetMaterial};
   return rows;
 }
 

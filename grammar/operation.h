@@ -14,10 +14,10 @@ namespace parti::grammar {
 
 /// How an argument is written and stored: kLength (m), kAngle (degrees) and kFactor are numbers
 /// (double); kAxis is x, y or z (Axis); kText is text in quotes (std::string), one of
-/// Parameter::words where there are some; kColor is "#rrggbb" in quotes (std::string); kWord is a
-/// bare word, one of Parameter::words (std::string): comp's f;
-/// kBool is true or false (bool); kSize is a length, absolute or relative to a size of the item's
-/// scope: 3 or '0.5 (Size, never floating; low and high bound the metres).
+/// Parameter::words where there are some; kColor is "#rrggbb" or a name in quotes (std::string;
+/// color_text.h); kWord is a bare word, one of Parameter::words, dots and all (std::string): comp's
+/// f, scope.xy; kBool is true or false (bool); kSize is a length, absolute or relative to a size of
+/// the item's scope: 3 or '0.5 (Size, never floating; low and high bound the metres).
 enum class ParameterKind : uint8_t {
   kLength,
   kAngle,
@@ -31,8 +31,10 @@ enum class ParameterKind : uint8_t {
 };
 
 /// What an operation wants to be told: one argument of it. Those that are not required may be left
-/// out from the end; a word that is not required, also before others, as no number is a word:
-/// roofHip(30) is roofHip(byAngle, 30, 0). An Action always has one argument per parameter.
+/// out from the end; a word or color that is not required, also before others, as no number is one:
+/// roofHip(30) is roofHip(byAngle, 30, 0), color(1, 0, 0) has the default text. A default below
+/// the range stands for a number that was left out. An Action always has one argument per
+/// parameter.
 struct Parameter {
   std::string_view name;  ///< "distance"
   ParameterKind kind;
@@ -68,6 +70,7 @@ struct Operation {
   ItemTypes gives;
   bool in_place;        ///< changes the shape itself and makes no child: tag, color
   bool sampled = true;  ///< whether Samples spreads it: what a sketch may mean
+  int file = -1;        ///< the parameter that names a file, which Action::asset then brings; -1
 
   /// Pure. Rows that change in place give the item itself, changed as far as an item can be
   /// (color); tag and symbol are the driver's to set on the shape. Products in creation order. An

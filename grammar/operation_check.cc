@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "grammar/color_text.h"
 #include "grammar/operation.h"
 #include "grammar/operations/split_sizes.h"
 
@@ -17,6 +18,7 @@ std::string_view Name(const Action& action) { return action.operation->name; }
 
 Result<void> CheckNumber(const Operation& row, const Parameter& parameter, double value) {
   if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return {};
+  if (!parameter.required && parameter.default_value == Argument(value)) return {};
   return Fail(ErrorCode::kBadNumber,
               fmt::format("{}: {} is {:.6g}", row.name, parameter.name, value),
               fmt::format("give a number from {:.6g} to {:.6g}", parameter.low, parameter.high));
@@ -31,20 +33,15 @@ Result<void> CheckSize(const Operation& row, const Parameter& parameter, const S
               "write 3 or '0.5");
 }
 
-bool IsColor(std::string_view text) {
-  const auto is_digit = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-  };
-  return text.size() == 7 && text[0] == '#' && std::all_of(text.begin() + 1, text.end(), is_digit);
-}
-
 Result<void> CheckText(const Operation& row, const Parameter& parameter, std::string_view text) {
   const auto fail = [&](std::string hint) {
     return Fail(ErrorCode::kBadArguments,
                 fmt::format("{}: {} is '{}'", row.name, parameter.name, text), std::move(hint));
   };
-  if (parameter.kind == ParameterKind::kColor && !IsColor(text)) {
-    return fail("give a color as \"#rrggbb\"");
+  if (parameter.kind == ParameterKind::kColor && !ColorFrom(text)) {
+    const auto meant = ColorMeant(text);
+    return fail(meant ? fmt::format("did you mean \"{}\"?", *meant)
+                      : "give a color as \"#rrggbb\", or by its name in CSS");
   }
   if (parameter.kind == ParameterKind::kText && text.empty()) return fail("give a name");
   const std::span<const std::string_view> words = parameter.words;
@@ -193,6 +190,9 @@ std::string_view RemedyFor(const Item& item) {
       return "lay 2D shapes out in it first, with segment or vectorial";
     case ItemType::kShape2D:
       return "it needs the planar shape that the scene's normalisation makes of a 2D shape";
+    case ItemType::kEdge:
+    case ItemType::kPoint:
+      return "put something there first: a primitive, or an asset with i()";
   }
   return "";
 }

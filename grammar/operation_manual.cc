@@ -44,8 +44,11 @@ std::string RangeText(const Parameter& p) {
   return "";
 }
 
-std::string DefaultText(const Argument& argument) {
-  if (const double* number = std::get_if<double>(&argument)) return fmt::format("{:g}", *number);
+std::string DefaultText(const Parameter& parameter) {
+  const Argument& argument = parameter.default_value;
+  if (const double* number = std::get_if<double>(&argument)) {
+    return *number < parameter.low ? "none" : fmt::format("{:g}", *number);
+  }
   if (const Axis* axis = std::get_if<Axis>(&argument)) return std::string(NameOf(*axis));
   if (const auto* text = std::get_if<std::string>(&argument)) return *text;
   if (const Size* size = std::get_if<Size>(&argument)) return TextOf(*size);
@@ -74,13 +77,12 @@ std::string SectionText(const Operation& row) {
     text += "| argument | values | default | meaning |\n| --- | --- | --- | --- |\n";
   }
   for (const Parameter& p : row.parameters) {
-    text += fmt::format("| {} | {} | {} | {} |\n", p.name, RangeText(p),
-                        DefaultText(p.default_value), p.doc);
+    text += fmt::format("| {} | {} | {} | {} |\n", p.name, RangeText(p), DefaultText(p), p.doc);
   }
   if (!row.selectors.empty()) {
     std::vector<std::string_view> names;
     for (const Selector::Kind kind : row.selectors) {
-      names.push_back(kind == Selector::Kind::kIndex ? "a face's number, from 0" : NameOf(kind));
+      names.push_back(kind == Selector::Kind::kIndex ? "a number, from 0" : NameOf(kind));
     }
     text += fmt::format("\nSelectors: {}.\n", fmt::join(names, ", "));
   }

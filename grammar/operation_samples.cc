@@ -115,7 +115,7 @@ std::vector<Dial> Dials(Action* action) {
   for (size_t i = 0; i < action->arguments.size(); ++i) {
     const Parameter& p = action->operation->parameters[i];
     double* value = std::get_if<double>(&action->arguments[i]);
-    if (value == nullptr || !IsNumber(p.kind)) continue;
+    if (value == nullptr || !IsNumber(p.kind) || *value < p.low) continue;  // left out
     dials.push_back({std::string(p.name), value, p.low, p.high, p.kind});
   }
   int number = 0;
@@ -128,6 +128,10 @@ std::vector<Action> Samples(const Operation& operation, const Item& item,
   std::vector<Action> samples;
   if (operation.in_place || !operation.sampled) return samples;
   if ((operation.takes & Types(item.type)) == 0) return samples;
+  // The faces of what has one are the shape itself.
+  const bool takes_apart =
+      !operation.selectors.empty() && operation.selectors[0] == Selector::Kind::kAll;
+  if (takes_apart && item.type != ItemType::kVolume) return samples;
   if (operation.braces == Braces::kSizes) {
     AddSplitSamples(operation, item, lengths_m, &samples);
   } else {

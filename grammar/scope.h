@@ -7,8 +7,11 @@
 namespace parti::grammar {
 
 /// Origin at the minimum corner. Axes are orthonormal and right-handed. Sizes >= 0; m.
-/// Planar: x along the first edge, z the outward normal, y = z cross x; size.z == 0.
-/// Volume: the axis nearest to the world's up is y; x keeps its direction (language.md, Scopes).
+/// Planar: x along the first edge, z the outward normal, y = z cross x; size.z == 0 unless s() gave
+/// it a depth.
+/// Volume: the axis nearest to the world's up is y; x keeps its direction (language.md, Scopes);
+/// r() turns the axes with the geometry, and what is cut from it keeps them. Edge: x along it, y
+/// the mean normal of its faces; sizes 0 but along x. Point: sizes 0.
 struct Scope {
   Vec3 origin{0, 0, 0};
   Vec3 x{1, 0, 0};

@@ -1,8 +1,14 @@
-// comp(f) { selectors }: the faces of a volume as planar shapes.
+// comp(f) { selectors }: the faces, edges or corners of a shape as shapes of their own.
+// Which selector takes which is comp_selectors.h's.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "grammar/front_edge.h"
+#include "grammar/item_make.h"
+#include "grammar/item_place.h"
+#include "grammar/operations/comp_selectors.h"
 #include "grammar/operations/rows.h"
 
 namespace parti::grammar {
@@ -10,87 +16,133 @@ namespace {
 
 using Kind = Selector::Kind;
 
-/// CGA's classes of elevation over the scope's xz plane, and the quadrants.
-constexpr double kHorizontal_deg = 78.75;
-constexpr double kVertical_deg = 11.25;
-constexpr double kQuadrant_deg = 45;
-/// Classes are half open; rounding of a normal must not decide on which side 45 deg falls.
-constexpr double kBias_deg = 1e-6;
+/// The street's front costs a look at the whole shape, so only where it is asked for.
+CompFrame FrameOf(const Item& item, const Action& action) {
+  const auto asks = [](const Successor& s) {
+    const Kind kind = std::get<Selector>(s.key).kind;
+    return kind >= Kind::kStreetFront && kind <= Kind::kStreetSide;
+  };
+  const bool street = std::any_of(action.successors.begin(), action.successors.end(), asks);
+  return {NamedScope(item), street ? FrontOf(item) : Vec3(0, 0, 0)};
+}
 
-/// Direction of a face's normal in the scope of its volume.
-struct Direction {
-  double elevation_deg;  ///< over the scope's xz plane
-  double azimuth_deg;    ///< from z (front) towards x (right), in [-180, 180]
+/// Collects what the selectors take.
+class Parts {
+ public:
+  Parts(const Item& item, const Action& action) : action_(action), frame_(FrameOf(item, action)) {}
+
+  void Add(const Component& component, Item part) {
+    const int successor = SuccessorOf(action_, component, frame_);
+    if (successor >= 0) products_.push_back({std::move(part), successor});
+  }
+  void Reserve(size_t count) { products_.reserve(count); }
+  std::vector<Product> Take() { return std::move(products_); }
+
+ private:
+  const Action& action_;
+  CompFrame frame_;
+  std::vector<Product> products_;
 };
 
-Direction DirectionOf(const Vec3& normal, const Scope& scope) {
-  const Vec3 n(glm::dot(normal, scope.x), glm::dot(normal, scope.y), glm::dot(normal, scope.z));
-  return {Angle::Radians(std::atan2(n.y, std::hypot(n.x, n.z))).degrees(),
-          Angle::Radians(std::atan2(n.x, n.z)).degrees()};
-}
-
-/// The one of the six sides that the direction points to.
-Kind QuadrantOf(const Direction& d) {
-  if (d.elevation_deg >= kQuadrant_deg - kBias_deg) return Kind::kTop;
-  if (d.elevation_deg <= -kQuadrant_deg + kBias_deg) return Kind::kBottom;
-  const double turned = d.azimuth_deg + kQuadrant_deg + kBias_deg;
-  if (turned >= 0 && turned < 90) return Kind::kFront;
-  if (turned >= 90 && turned < 180) return Kind::kRight;
-  if (turned >= -90 && turned < 0) return Kind::kLeft;
-  return Kind::kBack;
-}
-
-bool Matches(const Selector& selector, const Direction& d, int index) {
-  const double rise = std::abs(d.elevation_deg);
-  switch (selector.kind) {
-    case Kind::kAll:
-      return true;
-    case Kind::kSide:
-      return rise <= kHorizontal_deg + kBias_deg;
-    case Kind::kHorizontal:
-      return rise > kHorizontal_deg + kBias_deg;
-    case Kind::kVertical:
-      return d.elevation_deg > -kVertical_deg - kBias_deg &&
-             d.elevation_deg <= kVertical_deg + kBias_deg;
-    case Kind::kIndex:
-      return selector.index == index;
-    default:
-      return selector.kind == QuadrantOf(d);
+void AddFaces(const Item& item, Parts* parts) {
+  std::vector<Item> faces = FacesOf(item);
+  parts->Reserve(faces.size());
+  int index = 0;
+  for (Item& face : faces) {
+    const bool is_flat = std::min(face.scope.size.x, face.scope.size.y) <= kLengthTolerance_m;
+    if (is_flat) continue;  // of a box without a depth
+    face.scope.size.z = 0;
+    face.anchor.reset();
+    const Component component{face.facing, index++, item.type == ItemType::kPlanar, nullptr};
+    parts->Add(component, std::move(face));
   }
 }
 
-/// The first successor that takes the face; -1: none, or NIL.
-int SuccessorOf(const Action& action, const Direction& direction, int index) {
-  for (size_t i = 0; i < action.successors.size(); ++i) {
-    const Successor& s = action.successors[i];
-    if (!Matches(std::get<Selector>(s.key), direction, index)) continue;
-    return s.symbol == kNil ? -1 : static_cast<int>(i);
-  }
-  return -1;
+/// An edge with x along it and y the given direction, as far as it is at right angles to x.
+Item EdgeItem(const Item& whole, const ItemEdge& edge, const Vec3& up) {
+  Item item;
+  item.type = ItemType::kEdge;
+  Scope& s = item.scope;
+  s.origin = edge.a;
+  s.size = Vec3(glm::distance(edge.a, edge.b), 0, 0);
+  s.x = (edge.b - edge.a) / s.size.x;
+  const Vec3 upright = up - s.x * glm::dot(up, s.x);
+  s.y = glm::length(upright) > 1e-9 ? glm::normalize(upright) : edge.normal;
+  s.z = glm::cross(s.x, s.y);
+  Inherit(whole, &item);
+  return item;
 }
+
+/// Of a body: each edge once, facing as its faces do on average. Of a planar shape: its outline's,
+/// facing outward. y is the mean normal, so z looks outward from a planar shape's edge.
+void AddEdges(const Item& item, Parts* parts) {
+  const std::vector<ItemEdge> edges = ItemEdgesOf(item);
+  int index = 0;
+  for (const ItemEdge& edge : edges) {
+    const Vec3 mean = edge.normal + edge.other;
+    Item part = EdgeItem(item, edge, mean);
+    const bool is_flat = item.type == ItemType::kPlanar;
+    part.facing = is_flat ? OutwardOf(edge) : part.scope.y;
+    const Component component{part.facing, index++, edge.faces == 1, &edge};
+    parts->Add(component, std::move(part));
+  }
+}
+
+/// Every face's edges, those between two faces once for each.
+void AddFaceEdges(const Item& item, Parts* parts) {
+  int index = 0;
+  for (const Item& face : FacesOf(item)) {
+    for (const ItemEdge& edge : ItemEdgesOf(face)) {
+      Item part = EdgeItem(item, edge, edge.normal);
+      part.facing = OutwardOf(edge);
+      const Component component{part.facing, index++, false, &edge};
+      parts->Add(component, std::move(part));
+    }
+  }
+}
+
+void AddCorners(const Item& item, Parts* parts) {
+  const Scope named = NamedScope(item);
+  int index = 0;
+  for (const ItemCorner& corner : ItemCornersOf(item)) {
+    Item part;
+    part.type = ItemType::kPoint;
+    part.scope = {corner.point, named.x, named.y, named.z, Vec3(0, 0, 0)};
+    part.facing = corner.normal;
+    Inherit(item, &part);
+    const bool known = corner.normal != Vec3(0, 0, 0);
+    const Component component{known ? corner.normal : named.y, index++, corner.on_border, nullptr};
+    parts->Add(component, std::move(part));
+  }
+}
+
+constexpr std::string_view kFaces = "f", kEdges = "e", kFaceEdges = "fe", kCorners = "v";
 
 Result<std::vector<Product>> ApplyComp(const Item& item, const Action& action) {
-  std::vector<Item> faces = FacesOf(item);
-  std::vector<Product> products;
-  products.reserve(faces.size());
-  for (size_t i = 0; i < faces.size(); ++i) {
-    const Direction direction = DirectionOf(faces[i].facing, item.scope);
-    const int successor = SuccessorOf(action, direction, static_cast<int>(i));
-    if (successor >= 0) products.push_back({std::move(faces[i]), successor});
-  }
-  return products;
+  const auto& component = std::get<std::string>(action.arguments[0]);
+  Parts parts(item, action);
+  if (component == kFaces) AddFaces(item, &parts);
+  if (component == kEdges) AddEdges(item, &parts);
+  if (component == kFaceEdges) AddFaceEdges(item, &parts);
+  if (component == kCorners) AddCorners(item, &parts);
+  return parts.Take();
 }
 
-constexpr std::array<std::string_view, 1> kComponents = {"f"};
-constexpr std::array<Kind, 11> kSelectors = {
-    Kind::kAll,    Kind::kFront, Kind::kBack,     Kind::kLeft,       Kind::kRight, Kind::kTop,
-    Kind::kBottom, Kind::kSide,  Kind::kVertical, Kind::kHorizontal, Kind::kIndex};
+constexpr std::array<std::string_view, 4> kComponents = {kFaces, kEdges, kFaceEdges, kCorners};
+constexpr std::array<Kind, 31> kSelectors = {
+    Kind::kAll,        Kind::kFront,      Kind::kBack,        Kind::kLeft,       Kind::kRight,
+    Kind::kTop,        Kind::kBottom,     Kind::kSide,        Kind::kVertical,   Kind::kHorizontal,
+    Kind::kAslant,     Kind::kNutant,     Kind::kIndex,       Kind::kBorder,     Kind::kInside,
+    Kind::kEave,       Kind::kHip,        Kind::kValley,      Kind::kRidge,      Kind::kStreetFront,
+    Kind::kStreetBack, Kind::kStreetLeft, Kind::kStreetRight, Kind::kStreetSide, Kind::kWorldSouth,
+    Kind::kWorldNorth, Kind::kWorldWest,  Kind::kWorldEast,   Kind::kWorldUp,    Kind::kWorldDown,
+    Kind::kWorldSide};
 
 const std::array<Parameter, 1> kParameters = {{{
     .name = "component",
     .kind = ParameterKind::kWord,
     .default_value = std::string("f"),
-    .doc = "what to split into: f, faces",
+    .doc = "what to split into: faces, edges, the edges of each face, vertices",
     .words = kComponents,
 }}};
 
@@ -100,14 +152,14 @@ constinit const Operation kComp = {
     .name = "comp",
     .word = "Comp",
     .doc =
-        "Takes a volume apart into its faces; each goes to the first selector that fits it, in "
-        "the volume's scope: front is z, right is x, top is y.",
-    .source = "Müller et al. 2006; Jesus 2018, 6.5.4",
+        "Takes a shape apart into its faces, edges or vertices; each goes to the first selector "
+        "that fits it, in the shape's scope: front is z, right is x, top is y.",
+    .source = "CGA; Müller et al. 2006; Jesus 2018, 6.5.4",
     .parameters = kParameters,
     .braces = Braces::kSelectors,
     .selectors = kSelectors,
-    .takes = Types(ItemType::kVolume),
-    .gives = Types(ItemType::kPlanar),
+    .takes = kSurfaced,
+    .gives = Types(ItemType::kPlanar, ItemType::kEdge, ItemType::kPoint),
     .in_place = false,
     .apply = ApplyComp,
 };

@@ -24,6 +24,7 @@ Item Stretch(const Item& whole, int axis, const SplitPiece& piece) {
   part.scope.origin += whole.scope.axis(axis) * piece.low;
   part.scope.size[axis] = piece.high - piece.low;
   if (part.type == ItemType::kPlanar) part.scope.size.z = 0;
+  if (part.type == ItemType::kEdge) part.scope.size.y = part.scope.size.z = 0;
   part.anchor.reset();
   return part;
 }
@@ -76,7 +77,7 @@ const std::array<Parameter, 1> kParameters = {{{
     .doc = "of the shape's scope: x along its first edge, y up",
 }}};
 
-constexpr ItemTypes kBoth = Types(ItemType::kVolume, ItemType::kPlanar);
+constexpr ItemTypes kDivisible = Types(ItemType::kVolume, ItemType::kPlanar, ItemType::kEdge);
 
 }  // namespace
 
@@ -90,8 +91,8 @@ constinit const Operation kSplit = {
     .parameters = kParameters,
     .braces = Braces::kSizes,
     .selectors = {},
-    .takes = kBoth,
-    .gives = kBoth,
+    .takes = kDivisible,
+    .gives = kDivisible,
     .in_place = false,
     .apply = ApplySplit,
 };
@@ -104,8 +105,8 @@ constinit const Operation kRepeat = {
     .parameters = kParameters,
     .braces = Braces::kSizes,
     .selectors = {},
-    .takes = kBoth,
-    .gives = kBoth,
+    .takes = kDivisible,
+    .gives = kDivisible,
     .in_place = false,
     .apply = ApplyRepeat,
 };

@@ -132,7 +132,7 @@ TEST(ActionText, EveryKindOfMistakeHasItsMessage) {
   EXPECT_THAT(ErrorOf("NIL"), HasSubstr("in the place of a symbol"));
   EXPECT_THAT(ErrorOf("tag(\"x\") NIL"), HasSubstr("NIL makes nothing"));
   EXPECT_THAT(ErrorOf("tag(\"x"), HasSubstr("not closed"));
-  EXPECT_THAT(ErrorOf("color(\"red\")"), HasSubstr("#rrggbb"));
+  EXPECT_THAT(ErrorOf("color(\"#12345g\")"), HasSubstr("#rrggbb"));
   EXPECT_THAT(ErrorOf("extrude(3) A B"), HasSubstr("expected the end of the action"));
 }
 

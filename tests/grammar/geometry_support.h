@@ -71,6 +71,10 @@ inline Action Make(std::string_view operation, std::vector<Argument> arguments,
   Action action;
   action.operation = FindOperation(operation);
   action.arguments = std::move(arguments);
+  const auto parameters = action.operation->parameters;
+  for (size_t i = action.arguments.size(); i < parameters.size(); ++i) {
+    if (!parameters[i].required) action.arguments.push_back(parameters[i].default_value);
+  }
   action.successors = std::move(successors);
   action.symbol = std::move(symbol);
   return action;

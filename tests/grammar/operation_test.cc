@@ -83,11 +83,11 @@ TEST(Check, RefusesWrongArguments) {
   EXPECT_EQ(CodeOf(Make("extrude", {std::string("3")})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("extrude", {kNaN})), ErrorCode::kBadNumber);
   EXPECT_EQ(CodeOf(Make("extrude", {1e300})), ErrorCode::kBadNumber);
-  EXPECT_EQ(CodeOf(Make("color", {std::string("red")})), ErrorCode::kBadArguments);
+  EXPECT_EQ(CodeOf(Make("color", {std::string("reddish")})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("color", {std::string("#12345g")})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("tag", {std::string()})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("tag", {std::string("a")}, {}, "Symbol")), ErrorCode::kBadArguments);
-  EXPECT_EQ(CodeOf(Make("comp", {std::string("e")}, {Selected(Kind::kAll, "A")})),
+  EXPECT_EQ(CodeOf(Make("comp", {std::string("x")}, {Selected(Kind::kAll, "A")})),
             ErrorCode::kBadArguments);
 }
 
@@ -98,7 +98,7 @@ TEST(Check, RefusesWrongBraces) {
   EXPECT_EQ(CodeOf(Split(Axis::kX, {Metres(kNaN, "A")})), ErrorCode::kBadNumber);
   EXPECT_EQ(CodeOf(Split(Axis::kX, {Group({Metres(1e300, "A")})})), ErrorCode::kBadNumber);
   EXPECT_EQ(CodeOf(Comp({Metres(1, "A")})), ErrorCode::kBadArguments);
-  EXPECT_EQ(CodeOf(Comp({Selected(Kind::kInside, "A")})), ErrorCode::kBadArguments);
+  EXPECT_EQ(CodeOf(Comp({Selected(Kind::kRemainder, "A")})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Comp({Selected(Kind::kIndex, "A", -1)})), ErrorCode::kBadNumber);
   EXPECT_EQ(CodeOf(Comp({Group({Selected(Kind::kAll, "A")})})), ErrorCode::kBadArguments);
   EXPECT_EQ(CodeOf(Make("offset", {-1.0}, {Selected(Kind::kTop, "A")})), ErrorCode::kBadArguments);
@@ -125,13 +125,12 @@ TEST(Check, RefusesRepeatGroupsWithoutEnd) {
 
 TEST(Apply, NamesOperationAndTypeOfAWrongItem) {
   const Item lot = Lot("0,0 10,0 10,8 0,8");
-  const auto made = Apply(AllFaces(), lot);
+  const Item mass = Apply(Extrude(3), lot)->front().item;
+  const auto made = Apply(Extrude(3), mass);
   ASSERT_FALSE(made.has_value());
   EXPECT_EQ(made.error().code, ErrorCode::kWrongItemType);
-  EXPECT_THAT(made.error().message, HasSubstr("comp"));
-  EXPECT_THAT(made.error().message, HasSubstr("PlanarShape"));
-  const Item mass = Apply(Extrude(3), lot)->front().item;
-  EXPECT_EQ(Apply(Extrude(3), mass).error().code, ErrorCode::kWrongItemType);
+  EXPECT_THAT(made.error().message, HasSubstr("extrude"));
+  EXPECT_THAT(made.error().message, HasSubstr("VolumetricShape"));
   EXPECT_EQ(Apply(OffsetBy(-1), mass).error().code, ErrorCode::kWrongItemType);
 }
 

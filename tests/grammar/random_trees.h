@@ -86,6 +86,9 @@ inline Argument RandomArgument(const Parameter& parameter) {
       return parameter.words.empty() ? *AnyName() : std::string(parameter.words.front());
     case ParameterKind::kBool:
       return *rc::gen::arbitrary<bool>();
+    case ParameterKind::kSize:
+      return Size{*rc::gen::element(Size::Kind::kAbsolute, Size::Kind::kRelative),
+                  *AnyNumber(parameter.low, parameter.high)};
     case ParameterKind::kColor:
     case ParameterKind::kWord:
       return parameter.default_value;

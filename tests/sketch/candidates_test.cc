@@ -48,8 +48,10 @@ TEST(CandidatesOf, EveryOperationThatTakesTheItemTakesPart) {
     std::set<std::string_view> names;
     for (const Sample& sample : candidates->samples) names.insert(sample.action.operation->name);
     for (const grammar::Operation& row : grammar::Operations()) {
+      // What has one face is taken apart into itself.
+      const bool whole = row.name == "comp" && item.type != grammar::ItemType::kVolume;
       const bool takes =
-          (row.takes & grammar::Types(item.type)) != 0 && !row.in_place && row.sampled;
+          (row.takes & grammar::Types(item.type)) != 0 && !row.in_place && row.sampled && !whole;
       EXPECT_EQ(names.count(row.name) == 1, takes) << row.name;
     }
   }

@@ -1,0 +1,61 @@
+#include "grammar/asset_library.h"
+
+#include <utility>
+
+#include "grammar/operation.h"
+
+namespace parti::grammar {
+namespace {
+
+std::string_view FolderOf(std::string_view path) {
+  const size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
+}
+
+Result<void> ResolveAll(std::string_view folder, AssetLibrary* library,
+                        std::vector<Successor>* successors) {
+  for (Successor& successor : *successors) {
+    for (Action& action : successor.actions) {
+      if (auto good = ResolveAssets(folder, library, &action); !good) return good;
+    }
+    if (auto good = ResolveAll(folder, library, &successor.repeat); !good) return good;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Asset>> AssetLibrary::Get(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  const auto found = read_.find(path);
+  if (found != read_.end()) return found->second;
+  const auto read = [&]() -> Result<std::shared_ptr<const Asset>> {
+    const auto bytes = files_(path);
+    if (!bytes) return Fail(bytes);
+    const std::string folder(FolderOf(path));
+    auto asset = AssetFrom(
+        *bytes, path, [&](const std::string& name) { return files_(PathBeside(folder, name)); });
+    if (!asset) return Fail(asset);
+    return std::make_shared<const Asset>(std::move(*asset));
+  };
+  return read_.emplace(path, read()).first->second;
+}
+
+std::string PathBeside(std::string_view folder, std::string_view name) {
+  const bool is_absolute = name.starts_with('/');
+  if (folder.empty() || is_absolute) return std::string(name);
+  return std::string(folder) + "/" + std::string(name);
+}
+
+Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action) {
+  const int file = action->operation->file;
+  if (file >= 0) {
+    const auto& name = std::get<std::string>(action->arguments[static_cast<size_t>(file)]);
+    auto asset = library->Get(PathBeside(folder, name));
+    if (!asset) return Fail(asset);
+    action->asset = std::move(*asset);
+  }
+  return ResolveAll(folder, library, &action->successors);
+}
+
+}  // namespace parti::grammar
