@@ -107,13 +107,15 @@ class BodyWriter {
     const Operation& row = *statement.operation;
     std::vector<std::string> texts;
     size_t count = statement.arguments.size();
-    while (count > 0 && IsDefault(row.parameters[count - 1], statement.arguments[count - 1])) {
+    while (count > 0 && row.parameters[count - 1].kind != ParameterKind::kColor &&
+           IsDefault(row.parameters[count - 1], statement.arguments[count - 1])) {
       --count;
     }
     for (size_t i = 0; i < count; ++i) {
       const Parameter& parameter = row.parameters[i];
-      const bool is_implied =
-          parameter.kind == ParameterKind::kWord && IsDefault(parameter, statement.arguments[i]);
+      const bool is_color = parameter.kind == ParameterKind::kColor;  // in place of numbers
+      const bool is_implied = (is_color ? count > 1 : parameter.kind == ParameterKind::kWord) &&
+                              IsDefault(parameter, statement.arguments[i]);
       if (!is_implied) AddArgument(parameter, statement.arguments[i], &texts);
     }
     for (const SuccessorRule& successor : statement.successors) {
@@ -142,12 +144,8 @@ class BodyWriter {
     const Expression& value = argument.value;
     const bool is_word =
         parameter.kind == ParameterKind::kAxis || parameter.kind == ParameterKind::kWord;
-    const bool is_parts = parameter.kind == ParameterKind::kColor &&
-                          value.kind == Expression::Kind::kBuiltIn && value.operands.size() == 3;
     if (is_word) {
       texts->push_back(std::get<std::string>(value.constant));
-    } else if (is_parts) {  // color(r, g, b)
-      for (const Expression& part : value.operands) texts->push_back(Operand(part));
     } else {
       texts->push_back(SizeMark(argument.size) + Operand(value));
     }

@@ -15,6 +15,9 @@ namespace {
 
 using Kind = WrittenDeclaration::Kind;
 
+/// Names that are held against each other at most, to find what is misspelt.
+constexpr size_t kMostComparisons = 200'000;
+
 bool IsValue(Kind kind) { return kind == Kind::kAttribute || kind == Kind::kConstant; }
 
 const WrittenImport::Attribute* ImportedAs(const WrittenImport& import, std::string_view name) {
@@ -156,6 +159,7 @@ void RuleChecker::CheckImport(const RuleModule& module) {
   for (const WrittenImport::Attribute& attribute : module.import->attributes) {
     const std::string name = module.prefix + attribute.name;
     if (names_.Attribute(name) != RuleNames::kNone) continue;
+    if (errors_->Full()) return;
     const auto meant = DidYouMean(attribute.name, names_.Values(module.prefix));
     Report(attribute.range, ErrorCode::kUnknownName,
            fmt::format("'{}' has no attribute '{}'", module.import->path, attribute.name),
@@ -208,6 +212,7 @@ void RuleChecker::CheckTerminals() {
     if (!is_first) unused.push_back(set_.rules[i].symbol);
     is_first = false;
   }
+  if (unused.size() * terminals_.size() > kMostComparisons) return;
   for (const auto& [name, terminal] : terminals_) {
     std::vector<std::string> near;
     for (const std::string& symbol : unused) {

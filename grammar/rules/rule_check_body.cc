@@ -156,19 +156,22 @@ void RuleChecker::RefuseSymbol(const WrittenStatement& written, const std::vecto
 
 void RuleChecker::RefuseUnknown(const WrittenStatement& written) {
   if (!reporting_ || IsLost(written.name)) return;
-  const auto meant = DidYouMean(written.name, Callables(names_, module_->prefix));
   const bool is_symbol = !written.called || written.deferred;
-  if (is_symbol) {
-    const std::string what =
-        written.name == kNil ? "'NIL' to defer" : "rule '" + written.name + "'";
-    Report(written.range, ErrorCode::kUnknownName, fmt::format("there is no {}", what),
-           meant ? fmt::format("did you mean '{}'?", *meant) : "");
+  const std::string what = fmt::format("operation '{}'", written.name);
+  const bool is_told = is_symbol ? !errors_->Full() : errors_->WantsHint(what);
+  const auto meant = is_told ? DidYouMean(written.name, Callables(names_, module_->prefix))
+                             : std::optional<std::string>();
+  const std::string hint = meant ? fmt::format("did you mean '{}'?", *meant) : "";
+  if (!is_symbol) {
+    constexpr std::string_view kList =
+        "operations are listed in docs/operations.md; --skip-unknown leaves it out";
+    ReportUnknown(written.range, what, meant ? hint : std::string(kList), /*can_be_skipped=*/true);
     return;
   }
-  ReportUnknown(written.range, fmt::format("operation '{}'", written.name),
-                meant ? fmt::format("did you mean '{}'?", *meant)
-                      : "operations are listed in docs/operations.md; --skip-unknown leaves it out",
-                /*can_be_skipped=*/true);
+  Report(written.range, ErrorCode::kUnknownName,
+         written.name == kNil ? "there is no 'NIL' to defer"
+                              : fmt::format("there is no rule '{}'", written.name),
+         hint);
 }
 
 void RuleChecker::CheckParts(const WrittenStatement& written) {
@@ -203,9 +206,11 @@ std::optional<Statement> RuleChecker::ResolveSet(const WrittenStatement& written
   statement.index = names_.Attribute(FullName(name));
   if (statement.index == RuleNames::kNone) {
     CheckParts(written);
-    const auto meant = DidYouMean(name, names_.Values(module_->prefix));
-    ReportUnknown(arguments[0].range, fmt::format("attribute '{}' to set", name),
-                  meant ? fmt::format("did you mean '{}'?", *meant) : "",
+    const std::string what = fmt::format("attribute '{}' to set", name);
+    const auto meant = reporting_ && errors_->WantsHint(what)
+                           ? DidYouMean(name, names_.Values(module_->prefix))
+                           : std::nullopt;
+    ReportUnknown(arguments[0].range, what, meant ? fmt::format("did you mean '{}'?", *meant) : "",
                   /*can_be_skipped=*/name.find('.') != std::string::npos);
     return std::nullopt;
   }

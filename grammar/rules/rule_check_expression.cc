@@ -256,18 +256,23 @@ void RuleChecker::RefuseName(const WrittenExpression& written) {
                        written.operands.size()));
     return;
   }
+  const bool is_call = written.kind == Kind::kCall;
+  const std::string what = fmt::format("{} '{}'", is_call ? "function" : "value", written.name);
+  const auto meant = errors_->WantsHint(what) ? ValueLike(written.name) : std::nullopt;
+  ReportUnknown(written.range, what,
+                meant     ? fmt::format("did you mean '{}'?", *meant)
+                : is_call ? "functions are listed in docs/functions.md"
+                          : fmt::format("attr {} = …, or a text in quotes", written.name),
+                /*can_be_skipped=*/false);
+}
+
+std::optional<std::string> RuleChecker::ValueLike(std::string_view name) const {
   std::vector<std::string> known = names_.Values(module_->prefix);
   if (inside_ != nullptr) {
     for (const WrittenParameter& p : inside_->written->parameters) known.push_back(p.name);
   }
   for (const BuiltIn& row : BuiltIns()) known.emplace_back(row.name);
-  const auto meant = DidYouMean(written.name, known);
-  const bool call = written.kind == Kind::kCall;
-  ReportUnknown(written.range, fmt::format("{} '{}'", call ? "function" : "value", written.name),
-                meant  ? fmt::format("did you mean '{}'?", *meant)
-                : call ? "functions are listed in docs/language.md"
-                       : fmt::format("attr {} = …, or a text in quotes", written.name),
-                /*can_be_skipped=*/false);
+  return DidYouMean(name, known);
 }
 
 }  // namespace parti::grammar

@@ -15,8 +15,6 @@ using Kind = ParameterKind;
 
 constexpr std::string_view kRepeat = "repeat";  // the row that is written split(axis) { … }*
 constexpr std::string_view kSplit = "split";
-constexpr std::string_view kColor = "color";
-constexpr std::string_view kColorOfParts = "colorRGBToHex";
 constexpr double kLargestSize_m = 1e9;
 constexpr double kLargestIndex = 1e6;
 
@@ -129,18 +127,6 @@ std::optional<Statement> RuleChecker::ResolveOperation(const WrittenStatement& w
 
 bool RuleChecker::Bind(const WrittenStatement& written, Statement* statement, size_t* used) {
   const Operation& row = *statement->operation;
-  if (row.name == kColor && written.arguments.size() == 3 && row.parameters.size() == 1) {
-    WrittenArgument parts;
-    parts.range = parts.value.range = written.range;
-    parts.value.kind = WrittenExpression::Kind::kCall;
-    parts.value.name = kColorOfParts;
-    for (const WrittenArgument& part : written.arguments)
-      parts.value.operands.push_back(part.value);
-    *used = 3;
-    auto argument = Argue(parts, row, row.parameters[0]);
-    if (argument) statement->arguments.push_back(std::move(*argument));
-    return argument.has_value();
-  }
   for (const Parameter& parameter : row.parameters) {
     const WrittenArgument* next =
         *used < written.arguments.size() ? &written.arguments[*used] : nullptr;
@@ -171,12 +157,22 @@ std::optional<RuleArgument> RuleChecker::Argue(const WrittenArgument& written, c
     if (meant.empty()) return std::nullopt;
     return RuleArgument{Constant(std::move(meant), written.range)};
   }
+  const bool may_be_left_out = parameter.kind == Kind::kColor && !parameter.required;
+  if (may_be_left_out && IsNumber(written)) return std::nullopt;
   const bool is_part = written.size == Size::Kind::kRelative && parameter.kind == Kind::kSize;
   if (written.size != Size::Kind::kAbsolute && !is_part) return std::nullopt;
   RuleArgument argument{Resolve(written.value, {TypeFor(parameter.kind), parameter.name, row.name}),
                         written.size};
   CheckConstant(written, row, parameter, argument);
   return argument;
+}
+
+bool RuleChecker::IsNumber(const WrittenArgument& written) {
+  const bool reported = std::exchange(reporting_, false);
+  MaybeType type;
+  Resolve(written.value, {{}, "argument"}, &type);
+  reporting_ = reported;
+  return type == ValueType::kNumber;
 }
 
 void RuleChecker::CheckConstant(const WrittenArgument& written, const Operation& row,
@@ -326,7 +322,7 @@ void RuleChecker::SetSelector(const WrittenArgument& key, const Operation& row,
     successor->key = Selector{*kind};
     return;
   }
-  if (!reporting_) return;
+  if (!reporting_ || errors_->Full()) return;
   std::vector<std::string> names;
   for (const Selector::Kind known : row.selectors) {
     if (known != Selector::Kind::kIndex) names.emplace_back(NameOf(known));

@@ -84,6 +84,7 @@ class RuleChecker {
   bool Bind(const WrittenStatement& written, Statement* statement, size_t* used);
   std::optional<RuleArgument> Argue(const WrittenArgument& written, const Operation& row,
                                     const Parameter& parameter);
+  bool IsNumber(const WrittenArgument& written);
   void CheckConstant(const WrittenArgument& written, const Operation& row,
                      const Parameter& parameter, const RuleArgument& argument);
   bool RefuseExtra(const WrittenStatement& written, const Operation& row, size_t used);
@@ -117,6 +118,7 @@ class RuleChecker {
   bool CheckWeights(const std::vector<const Expression*>& weights, bool has_else, TextRange range);
   void Learn(const Expression& expression, MaybeType type);
   void RefuseName(const WrittenExpression& written);
+  std::optional<std::string> ValueLike(std::string_view name) const;
   std::string FullName(const std::string& name) const { return module_->prefix + name; }
   bool IsLost(std::string_view name) const;
   uint32_t ParameterNamed(std::string_view name) const;

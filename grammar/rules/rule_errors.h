@@ -36,6 +36,10 @@ class RuleErrors {
   /// places. `what` is "operation 'envelope'". What can be skipped may become nothing.
   void ReportUnknown(TextRange range, const std::string& what, std::string hint = {},
                      bool can_be_skipped = true);
+  /// Whether a hint for it would be shown: it is new, and there are not too many.
+  bool WantsHint(const std::string& what) const {
+    return unknown_.size() < kMost && !unknown_.contains(what);
+  }
   /// Forgets what was reported as unknown and can be skipped; returns it, a line each.
   std::vector<std::string> SkipUnknown();
 

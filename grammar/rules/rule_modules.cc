@@ -151,10 +151,6 @@ void CheckStyles(const WrittenRules& rules, RuleErrors* errors) {
                    round ? fmt::format("the style '{}' is based on itself", style.name)
                          : fmt::format("there is no style '{}'", last));
   }
-  if (rules.styles.size() > kMostStyles) {
-    errors->Report(rules.styles[kMostStyles].range, ErrorCode::kLimitReached,
-                   fmt::format("more than {} styles", kMostStyles));
-  }
 }
 
 }  // namespace parti::grammar

@@ -187,6 +187,10 @@ bool RuleParser::ReadImportAttributes(WrittenImport* import) {
     if (!ReadDotted(&attribute.name)) return false;
     attribute.range = RangeFrom(from);
     if (lexer_.Accept('=') && !ReadExpression(&attribute.value.emplace_back())) return false;
+    if (import->attributes.size() == kMostImportAttributes) {
+      return Fail(attribute.range, ErrorCode::kLimitReached,
+                  fmt::format("an import has {} attributes at most", kMostImportAttributes));
+    }
     import->attributes.push_back(std::move(attribute));
   } while (lexer_.Accept(','));
   return Expect(')', "',' or ')'");
@@ -197,6 +201,10 @@ bool RuleParser::ReadStyle() {
   WrittenStyle style;
   if (!ReadName(&style.name, &style.range, "the name of a style")) return false;
   style.base_range = style.range;
+  if (rules_.styles.size() == kMostStyles) {
+    return Fail(style.range, ErrorCode::kLimitReached,
+                fmt::format("a file has {} styles at most", kMostStyles));
+  }
   if (lexer_.AcceptWord("extends") &&
       !ReadName(&style.base, &style.base_range, "the name of a style")) {
     return false;

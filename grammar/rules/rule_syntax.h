@@ -142,8 +142,10 @@ struct WrittenRules {
 /// Nesting of expressions, and of bodies and braces, that a text may have.
 inline constexpr int kDeepestExpression = 256;
 inline constexpr int kDeepestBody = 64;
-/// Bytes that a text may have.
+/// Bytes, styles, and attributes of one import that a text may have.
 inline constexpr size_t kLargestRules = size_t{16} << 20;
+inline constexpr size_t kMostStyles = 64;
+inline constexpr size_t kMostImportAttributes = 1000;
 
 /// Reads all of a text, going on at the next declaration, or the next alternative in braces, after
 /// an error. `file` is its number in the rule set.

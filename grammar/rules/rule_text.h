@@ -29,9 +29,6 @@ struct RuleOptions {
 /// Files that a text may import, in all and one by the other.
 inline constexpr size_t kMostImports = 200;
 inline constexpr int kDeepestImport = 16;
-/// Styles that a file may have.
-inline constexpr size_t kMostStyles = 64;
-
 /// Reads and checks a rule file and what it imports: names, types, arguments against the operation
 /// table, in the file itself and in each of its styles.
 /// returns  the declarations of the style that was asked for; `skipped` of it tells what was

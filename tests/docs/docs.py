@@ -6,7 +6,7 @@ Usage: docs.py PARTI [FILE…]     PARTI: the built program. Exit status 1 when 
   ```sh       run by bash in an empty folder per document, `parti` on the PATH, assets/ beside it,
               each block after the ones above it; it must exit 0. `# exits 1` on its first line: 1.
   ```text     directly after it: what it printed; … stands for anything
-  ```cga      selection-action trees (docs/language.md): parti must read them
+  ```cga      rules or selection-action trees (docs/language.md): parti must read them
   ```pen      a drawing: parti must replay it
   ```json     one JSON value, or one a line
   ```console  for reading only (it installs, builds, or needs a device), but programs of this
@@ -24,6 +24,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+TREE = re.compile(r"^tree\b", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 SCRIPT = re.compile(r"(?:^|[\s;&|])\./([\w./-]+)")
 FOLDERS = "app|base|grammar|input|render|sketch"
@@ -66,7 +67,9 @@ class Document:
 
     def try_cga(self, text):
         (self.folder / "block.cga").write_text(text, encoding="utf-8")
-        done = self.run([str(self.parti), "export", "block.cga", "read.cga", "--lot", "rect(20,14)"])
+        done = self.run([str(self.parti), "check", "block.cga"])
+        if done.returncode == 0 and TREE.search(text):
+            done = self.run([str(self.parti), "export", "block.cga", "read.cga", "--lot", "rect(20,14)"])
         return "" if done.returncode == 0 else f"exit status {done.returncode}\n{done.stdout}"
 
     def try_pen(self, text):

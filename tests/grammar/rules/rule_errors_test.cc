@@ -39,12 +39,12 @@ Mass --> comp(f) { sid: Facade | top: }
 Facade --> split(w) { 1: A }
 A --> extrude(
 B --> tag("x" C
-C --> color("red") D
+C --> color("redd") D
 )"),
               ElementsAre(StartsWith("2:1 "),
                           StartsWith("3:20 comp has no selector 'sid'; did you mean 'side'?"),
                           StartsWith("4:18 expected an axis"), StartsWith("6:1 "),
-                          StartsWith("6:15 "), StartsWith("7:13 color: color is 'red'")));
+                          StartsWith("6:15 "), StartsWith("7:13 color: color is 'redd'")));
 }
 
 TEST(RuleErrors, ReadingGoesOnAtTheNextAlternative) {
@@ -237,6 +237,19 @@ TEST(RuleErrors, NestingHasItsLimits) {
     ASSERT_FALSE(wrong.empty()) << text.substr(0, 40);
     EXPECT_THAT(wrong[0], HasSubstr("nested more than")) << text.substr(0, 40);
   }
+}
+
+TEST(RuleErrors, ManyMistakesAreNoTrouble) {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) {
+    text += fmt::format("R{} --> frob{}(x{}) extrude(f{}(1)) set(a{}, 1) T{} @S{}\n", i, i, i, i, i,
+                        i, i);
+  }
+  EXPECT_THAT(WrongWith(text), SizeIs(50));
+  std::string styles;
+  for (int i = 0; i < 20'000; ++i)
+    styles += fmt::format("style S{} extends S{}\nattr a = {}\n", i + 1, i, i);
+  EXPECT_THAT(WrongWith(styles), testing::Contains(HasSubstr("64 styles at most")));
 }
 
 TEST(RuleErrors, LongTextsAreNoTrouble) {

@@ -297,11 +297,11 @@ Mass --> comp(f) { all: Face })");
 
 TEST(RuleText, SkipsWhatIsUnknownWhenAsked) {
   const RuleSet rules = RulesFrom(
-      "@Wobbly(3) attr a = 1\nA --> envelope(world.up, 3) { side: extrude(a) } texture(\"x\") B\n"
-      "B --> texture(\"y\") C",
+      "@Wobbly(3) attr a = 1\nA --> envelope(world.up, 3) { side: extrude(a) } scatter(\"x\") B\n"
+      "B --> scatter(\"y\") C",
       {.skip_unknown = true});
   EXPECT_THAT(rules.skipped, ElementsAre("annotation '@Wobbly'", "operation 'envelope'",
-                                         "operation 'texture', 2 places"));
+                                         "operation 'scatter', 2 places"));
   EXPECT_EQ(rules.rules[0].body.statements.size(), 1u);
 }
 
