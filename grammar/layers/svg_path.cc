@@ -300,8 +300,8 @@ Vec2 PathSegment::At(double t) const {
   }
   const double angle = from + by * t;
   const Vec2 on = Vec2(std::cos(angle), std::sin(angle)) * radii;
-  const double c = std::cos(turned), s_ = std::sin(turned);
-  return p[2] + Vec2(c * on.x - s_ * on.y, s_ * on.x + c * on.y);
+  const double cosine = std::cos(turned), sine = std::sin(turned);
+  return p[2] + Vec2(cosine * on.x - sine * on.y, sine * on.x + cosine * on.y);
 }
 
 Result<SvgPath> ParseSvgPath(std::string_view text) { return PathReader(text).Read(); }
