@@ -27,12 +27,13 @@ const Successor* FindLeaf(std::span<const Successor> list, int* left) {
 
 std::span<const Operation> Operations() {
   static const Operation rows[] = {
-      kExtrude,         kSplit,       kRepeat,     kComp,    kOffset,    kTag,
-      kSymbol,          kColor,       kLayers,     kSegment, kVectorial, kSetProperty,
-      kTranslate,       kScale,       kRotate,     kCenter,  kMirror,    kRoofHip,
-      kRoofGable,       kRoofPyramid, kRoofShed,   kTaper,   kInsert,    kCube,
-      kSphere,          kCylinder,    kCone,       kQuad,    kDisk,      kTexture,
-      kSetupProjection, kProjectUv,   kSetMaterial};
+      kExtrude,         kSplit,         kRepeat,      kComp,    kOffset,    kTag,
+      kSymbol,          kColor,         kLayers,      kSegment, kVectorial, kSetProperty,
+      kTranslate,       kScale,         kRotate,      kCenter,  kMirror,    kRoofHip,
+      kRoofGable,       kRoofPyramid,   kRoofShed,    kTaper,   kInsert,    kCube,
+      kSphere,          kCylinder,      kCone,        kQuad,    kDisk,      kTexture,
+      kSetupProjection, kProjectUv,     kSetMaterial, kSetback, kShapeL,    kShapeU,
+      kShapeO,          kInnerRectangle};
   return rows;
 }
 

@@ -16,6 +16,7 @@ extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, k
 inline constexpr ItemTypes kSurfaced = Types(ItemType::kVolume, ItemType::kPlanar);
 inline constexpr ItemTypes kMovable =
     Types(ItemType::kVolume, ItemType::kPlanar, ItemType::kEdge, ItemType::kPoint);
+extern const Operation kSetback, kShapeL, kShapeU, kShapeO, kInnerRectangle;
 
 /// The first successor whose selector is `kind`; -1 when there is none or it makes nothing (NIL).
 /// Only for actions without repeat groups.
