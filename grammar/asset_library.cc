@@ -7,11 +7,6 @@
 namespace parti::grammar {
 namespace {
 
-std::string_view FolderOf(std::string_view path) {
-  const size_t slash = path.rfind('/');
-  return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
-}
-
 Result<void> ResolveAll(std::string_view folder, AssetLibrary* library,
                         std::vector<Successor>* successors) {
   for (Successor& successor : *successors) {
@@ -39,6 +34,11 @@ Result<std::shared_ptr<const Asset>> AssetLibrary::Get(const std::string& path) 
     return std::make_shared<const Asset>(std::move(*asset));
   };
   return read_.emplace(path, read()).first->second;
+}
+
+std::string_view FolderOf(std::string_view path) {
+  const size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
 }
 
 std::string PathBeside(std::string_view folder, std::string_view name) {

@@ -27,6 +27,8 @@ class AssetLibrary {
   std::map<std::string, Result<std::shared_ptr<const Asset>>> read_;
 };
 
+/// "rules" of "rules/house.cga"; "" of "house.cga".
+std::string_view FolderOf(std::string_view path);
 /// `name` as written in a file in `folder`: beside it, unless it is absolute. Slashes only.
 std::string PathBeside(std::string_view folder, std::string_view name);
 

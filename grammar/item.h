@@ -45,6 +45,10 @@ std::string_view NameOf(ItemType type);
 constexpr bool IsVisible(ItemType type) {
   return type == ItemType::kVolume || type == ItemType::kPlanar;
 }
+/// Whether shapes of this type belong to the scene of a planar shape.
+constexpr bool IsOfScene(ItemType type) {
+  return type == ItemType::kShape2D || type == ItemType::kLayer;
+}
 /// Whether it is a region of a plane.
 constexpr bool IsFlat(ItemType type) {
   return type == ItemType::kPlanar || type == ItemType::kShape2D || type == ItemType::kLayer;

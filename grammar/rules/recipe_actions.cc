@@ -1,5 +1,6 @@
 #include "grammar/rules/recipe_actions.h"
 
+#include "grammar/asset_library.h"
 #include "grammar/rules/rule_argument.h"
 
 namespace parti::grammar {
@@ -39,6 +40,10 @@ Result<const Action*> RecipeActions::Computed(const StepPlan& step, const Situat
   }
   if (evaluator->failure()) return tl::unexpected<Error>(*evaluator->failure());
   if (const auto good = Check(kept.action); !good) return Fail(good);
+  if (recipe.action.operation->file >= 0 && program_.assets != nullptr) {
+    const auto read = ResolveAssets(recipe.folder, program_.assets, &kept.action);
+    if (!read) return Fail(read);
+  }
   return &kept.action;
 }
 

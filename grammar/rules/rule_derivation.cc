@@ -172,7 +172,7 @@ Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSetti
                                            std::span<const Item> lots, const RuleThreads& threads) {
   const auto start = StartSymbol(rules, settings);
   if (!start) return Fail(start);
-  const RuleProgram program = ProgramOf(rules, *start);
+  const RuleProgram program = ProgramOf(rules, *start, threads.assets);
   LotsDerivation all(program, settings, lots, threads);
   if (threads.count == 1) {
     for (size_t i = 0; i < lots.size(); ++i) all.RunLot(i, false);

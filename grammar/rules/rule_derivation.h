@@ -13,13 +13,18 @@
 
 namespace parti::grammar {
 
-/// How much at once, and what is watched meanwhile; nothing of it changes the result.
+class AssetLibrary;
+
+/// How much at once, and what is watched meanwhile; nothing of it changes the
+/// result but that files may be read.
 struct RuleThreads {
   int count = 0;                                 ///< 0: as many as the machine has
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null
   double (*now_s)() = nullptr;  ///< a clock that never goes back; null: no limit of seconds
   /// Time for normalisations is added to it; may be null, and is where there is no clock.
   std::atomic<double>* normalise_s = nullptr;
+  /// Reads what i() and texture() name, relative to the file that says so; null: they fail.
+  AssetLibrary* assets = nullptr;
 };
 
 /// One shape tree per lot.

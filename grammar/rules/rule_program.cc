@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "grammar/asset_library.h"
 #include "grammar/rules/conversions.h"
 #include "grammar/rules/rule_argument.h"
 
@@ -92,8 +93,8 @@ class TypeWalk {
 };
 
 void FindUnfit(BodyPlan* plan) {
-  for (const ItemType type :
-       {ItemType::kVolume, ItemType::kPlanar, ItemType::kShape2D, ItemType::kLayer}) {
+  for (const ItemType type : {ItemType::kVolume, ItemType::kPlanar, ItemType::kShape2D,
+                              ItemType::kLayer, ItemType::kEdge, ItemType::kPoint}) {
     TypeWalk walk(type);
     for (const StepPlan& step : plan->steps) {
       plan->unfit[TypeNumber(type)] = walk.UnfitAt(step);
@@ -151,6 +152,9 @@ uint32_t Maker::RecipeOf(const Statement& statement, uint32_t rule, StepPlan* st
   const Operation& row = *statement.operation;
   ActionRecipe recipe;
   recipe.action = Default(row);
+  if (row.file >= 0 && statement.range.file < program_->rules->files.size()) {
+    recipe.folder = FolderOf(program_->rules->files[statement.range.file].name);
+  }
   CHECK(statement.arguments.size() <= row.parameters.size(), "the checker counted arguments");
   for (size_t i = 0; i < statement.arguments.size(); ++i) {
     const RuleArgument& argument = statement.arguments[i];
@@ -172,7 +176,7 @@ uint32_t Maker::RecipeOf(const Statement& statement, uint32_t rule, StepPlan* st
 }  // namespace
 
 bool MustWait(const Operation& row, ItemType type) {
-  return !IsVisible(type) && (row.takes & Types(type)) == 0 &&
+  return IsOfScene(type) && (row.takes & Types(type)) == 0 &&
          (row.takes & Types(ItemType::kPlanar)) != 0;
 }
 
@@ -181,11 +185,16 @@ bool OnlyChanges(const Operation& row) {
   return row.braces == Braces::kNone && (row.in_place || (row.gives & kVisible) != 0);
 }
 
-RuleProgram ProgramOf(const RuleSet& rules, const std::string& start) {
-  RuleProgram program{&rules, {}, {}, RuleFor(rules, start), ShapeTree(Item(), start)};
+RuleProgram ProgramOf(const RuleSet& rules, const std::string& start, AssetLibrary* assets) {
+  RuleProgram program{&rules, {}, {}, RuleFor(rules, start), ShapeTree(Item(), start), assets};
   Maker maker(&program);
   for (uint32_t i = 0; i < rules.rules.size(); ++i) {
     program.bodies.push_back(maker.PlanOf(rules.rules[i].body, i));
+  }
+  for (ActionRecipe& recipe : program.recipes) {
+    if (assets == nullptr || !recipe.constant() || recipe.unfit) continue;
+    const auto read = ResolveAssets(recipe.folder, assets, &recipe.action);
+    if (!read) recipe.unfit = read.error();
   }
   return program;
 }

@@ -23,12 +23,14 @@ struct ActionRecipe {
   Action action;  ///< with all that is constant in its place
   std::vector<Computed> arguments;
   std::vector<Computed> sizes;
-  std::optional<Error> unfit;  ///< of Check, where nothing is computed
+  std::optional<Error> unfit;  ///< of Check or its file, where nothing is computed
+  std::string folder;          ///< of the rules it stands in, where it names a file
 
   bool constant() const { return arguments.empty() && sizes.empty(); }  ///< nothing is computed
 };
 
 struct BodyPlan;
+class AssetLibrary;
 
 /// A statement, ready to run.
 struct StepPlan {
@@ -52,7 +54,7 @@ struct BodyPlan {
   bool is_nil = false;  ///< simple, and makes nothing whatever the shape
   /// By type of shape (TypeNumber): the first step that can't take what comes to it, nor what the
   /// normalisation makes of that (out_type of Listing 4.1; errata 1). Null: all can.
-  std::array<const StepPlan*, 4> unfit{};
+  std::array<const StepPlan*, 6> unfit{};
 };
 
 /// Of BodyPlan::unfit.
@@ -73,9 +75,11 @@ struct RuleProgram {
   std::vector<ActionRecipe> recipes;
   uint32_t start = kNoRule;
   ShapeTree names;  ///< a tree that knows every symbol of the rules: trees begin as its copies
+  AssetLibrary* assets = nullptr;  ///< outlives it; null: files are not read
 };
 
 /// errors  none: names and types were checked when the rules were read.
-RuleProgram ProgramOf(const RuleSet& rules, const std::string& start);
+RuleProgram ProgramOf(const RuleSet& rules, const std::string& start,
+                      AssetLibrary* assets = nullptr);
 
 }  // namespace parti::grammar

@@ -38,7 +38,7 @@ size_t EndOfBrackets(const BodyPlan& body, size_t at, size_t to) {
 /// Whether the row makes layers or 2D shapes of a shape of this type.
 bool MakesScene(const Operation& row, ItemType type) {
   const auto out = OutType(row, type);
-  return out && !IsVisible(*out) && !row.in_place;
+  return out && IsOfScene(*out) && !row.in_place;
 }
 
 /// Whether a shape can itself become what steps [from, to) make of it.
@@ -392,7 +392,7 @@ Result<void> RuleRunner::Emit(const StepPlan& step, BodyRun* run) {
   Stream stream = run->stream->Next();
   const auto placed = Place(step.symbol, statement.range, run);
   if (!placed) return Fail(placed);
-  left_->has_scene = left_->has_scene || !IsVisible(run->hand.item().type);
+  left_->has_scene = left_->has_scene || IsOfScene(run->hand.item().type);
   if (statement.index == kNoRule) return {};
   if (run->level >= lot_.limits.depth) return Failed(TooDeep(step, *run), *run, statement.range);
   auto arguments = ArgumentsOf(step, run);
@@ -409,7 +409,7 @@ Result<void> RuleRunner::Emit(const StepPlan& step, BodyRun* run) {
 }
 
 void RuleRunner::Leave(RuleTask task, bool deferred) {
-  const bool is_flat = !IsVisible((*tree_)[task.shape].item.type);
+  const bool is_flat = IsOfScene((*tree_)[task.shape].item.type);
   auto& list = !is_flat ? left_->next : deferred ? left_->deferred : left_->flat;
   list.push_back(std::move(task));
 }
@@ -422,7 +422,7 @@ Result<void> RuleRunner::GoOnBelow(size_t at, size_t to, BodyRun* run) {
   const auto placed = Place(run->hand.symbol, run->body->body->range, run);
   if (!placed) return Fail(placed);
   task.shape = *placed;
-  left_->has_scene = left_->has_scene || !IsVisible(run->hand.item().type);
+  left_->has_scene = left_->has_scene || IsOfScene(run->hand.item().type);
   run->hand.is_gone = true;
   Leave(std::move(task), false);
   return {};
@@ -469,7 +469,7 @@ Result<void> RuleRunner::Wait(size_t at, size_t to, BodyRun* run) {
 /// all of them does, as the shape at hand will be another one.
 bool RuleRunner::WaitsInside(const BodyRun& run, size_t push) const {
   const ItemType type = run.hand.item().type;
-  if (run.hand.is_gone || IsVisible(type)) return false;
+  if (run.hand.is_gone || !IsOfScene(type)) return false;
   for (size_t i = push; i < run.body->steps[push].closing; ++i) {
     const Statement& statement = *run.body->steps[i].statement;
     if (statement.kind == Kind::kOperation && MustWait(*statement.operation, type)) return true;
