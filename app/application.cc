@@ -116,6 +116,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   Take(*news);
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
+  if (queries_.ready().Clear()) marks_stale_ = true;
   if (auto tried = trials_.TakeNewest()) picture_->SetState(std::move(tried));
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
@@ -129,7 +130,7 @@ bool Application::Settled() const {
   return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
          !canvas_->NeedsDraw() && !sync_at_s_ &&
          !((panels_stale_ || word_stale_) && !ink_->drawing()) && !display_->HasNews() &&
-         fed_.empty() && !folders_.busy() && !trials_.busy();
+         fed_.empty() && !folders_.busy() && !trials_.busy() && !queries_.busy();
 }
 
 void Application::Wait(double wait_s, std::span<const int> also) const {
@@ -142,6 +143,7 @@ void Application::Wait(double wait_s, std::span<const int> also) const {
   fds.push_back({session_->ready().fd(), POLLIN, 0});
   fds.push_back({folders_.ready().fd(), POLLIN, 0});
   fds.push_back({trials_.ready().fd(), POLLIN, 0});
+  fds.push_back({queries_.ready().fd(), POLLIN, 0});
   for (const int fd : also) fds.push_back({fd, POLLIN, 0});
   poll(fds.data(), fds.size(), static_cast<int>(std::ceil(wait_s * 1000)));
 }
@@ -423,6 +425,7 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   if (panel_output_->changed) canvas_->SetPanels(panel_output_->mesh);
   if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
   preview_ = panel_output_->preview;
+  overlay_stale_ |= queries_.Set(panel_output_->query_preview, snapshot_->state);
   if (trials_.Set(panel_output_->trial, snapshot_->state) && !trials_.going_on()) {
     picture_->SetState(snapshot_->state);
   }
@@ -436,6 +439,7 @@ void Application::ShowMarks() {
   const View view(looking_.camera());
   std::vector<render::Mark> marks;
   Project(overlay_, view, &marks);
+  if (const WorldMarks* selected = queries_.marks()) Project({*selected}, view, &marks);
   hovering_.AddMarks(*picture_, view, &marks);
   canvas_->SetMarksBelowPanels(std::move(marks));
   overlay_stale_ = marks_stale_ = false;

@@ -18,6 +18,7 @@
 #include "app/model_picture.h"
 #include "app/overlay.h"
 #include "app/panels/panels.h"
+#include "app/query_preview.h"
 #include "app/session_thread.h"
 #include "app/settings.h"
 #include "app/shortcuts.h"
@@ -124,6 +125,7 @@ class Application {
   LatestWorker<FolderRequest, PanelFiles> folders_;
   LatestWorker<Settings, Result<void>> keeper_;
   Trials trials_;
+  QueryPreviews queries_;
 
   std::shared_ptr<const SessionSnapshot> snapshot_;
   const PanelOutput* panel_output_ = nullptr;

@@ -196,6 +196,10 @@ constexpr std::array kRows = {
     Row{"set", ParseSetNumber},
     Row{"node",
         [](const Words& w) { return OfRest<AddNode>(w, "node .Glass --> color(\"#7f9db5\")"); }},
+    Row{"rewrite",
+        [](const Words& w) {
+          return OfRest<Rewrite>(w, "rewrite tree house { .Lot --> extrude(9) Mass }");
+        }},
     Row{"take", ParseTake},
     Row{"switch", ParseSwitch},
     Row{"move", ParseMove},

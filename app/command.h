@@ -68,6 +68,14 @@ struct AddNode {
   bool operator==(const AddNode&) const = default;
 };
 
+/// "rewrite tree house { .Lot --> extrude(9) Mass }": all trees anew, as they are typed, on one
+/// line: blanks and line feeds are alike in trees. What is then at the path of the node in hand is
+/// in hand.
+struct Rewrite {
+  std::string text;
+  bool operator==(const Rewrite&) const = default;
+};
+
 /// "take 0/2": the node in hand, which name, query and set act on; "take none": none is.
 struct Take {
   NodePath path;  ///< of a node; empty: none
@@ -150,9 +158,10 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-using Command = std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery,
-                             SetNumber, AddNode, Take, Switch, Move, Delete, AddTree, RenameTree,
-                             KeepView, GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
+using Command =
+    std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery, SetNumber,
+                 AddNode, Rewrite, Take, Switch, Move, Delete, AddTree, RenameTree, KeepView,
+                 GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
 
 /// Looking and taking a node in hand change nothing that undo would bring back.
 bool IsLooking(const Command& command);

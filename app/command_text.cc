@@ -36,6 +36,7 @@ std::string TextOf(const Command& command) {
           [](const SetQuery& c) { return "query " + c.query; },
           [](const SetNumber& c) { return fmt::format("set {} {}", c.dial, c.value); },
           [](const AddNode& c) { return "node " + c.text; },
+          [](const Rewrite& c) { return "rewrite " + c.text; },
           [](const Take& c) { return "take " + (c.path.empty() ? "none" : PathText(c.path)); },
           [](const Switch& c) {
             return fmt::format("switch {} {}", PathText(c.path), c.on ? "on" : "off");

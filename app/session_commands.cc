@@ -209,6 +209,14 @@ Result<SessionState> Do(const AddNode& command, SessionState state, const Sessio
   return WithRules(std::move(state), std::move(trees), made);
 }
 
+Result<SessionState> Do(const Rewrite& command, SessionState state, const SessionOptions&) {
+  auto trees = grammar::ParseTrees(command.text);
+  if (!trees) return tl::unexpected<Error>(trees.error().front());
+  if (state.in_hand.empty() || !CheckNode(*trees, state.in_hand)) state.in_hand.clear();
+  state.just_made = false;
+  return WithRules(std::move(state), std::move(*trees));
+}
+
 Result<SessionState> Do(const Take& command, SessionState state, const SessionOptions&) {
   if (!command.path.empty()) {
     const auto there = CheckNode(state.model.trees(), command.path);

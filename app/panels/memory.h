@@ -8,6 +8,7 @@
 
 #include "app/panels/box.h"
 #include "app/panels/layout.h"
+#include "app/panels/rules_text.h"
 
 namespace parti::app::panels {
 
@@ -20,8 +21,10 @@ struct Memory {
   Sheet open = Sheet::kNone;
   Box opened_at;             ///< the button that opened it
   bool rules_shown = false;  ///< the drawing stays clear until they are asked for
-  uint64_t dismissed = 0;    ///< FailedRequest::number that was read
-  std::string file_name;     ///< being given, without its folder
+  bool rules_as_text = false;
+  TypedRules typed_rules;
+  uint64_t dismissed = 0;  ///< FailedRequest::number that was read
+  std::string file_name;   ///< being given, without its folder
   std::string export_ending = "glb";
   std::string view_name;
   bool drafts_seen = false;  ///< the card that offers them at the start was closed

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "app/edit_nodes.h"
+#include "app/panels/node_words.h"
+#include "app/panels/rules_text.h"
 #include "app/panels/words.h"
 #include "grammar/operation.h"
 #include "grammar/query.h"
@@ -21,11 +24,6 @@ struct NumberRow {
   Dial dial;
   std::string label, range, unit;
   std::optional<double> usual;  ///< its default
-};
-
-/// A part of an operation that is no number: its axis, its words.
-struct WordRow {
-  std::string label, value;
 };
 
 const grammar::Parameter* ParameterNamed(const Action& action, std::string_view name) {
@@ -82,22 +80,6 @@ std::vector<NumberRow> NumbersOf(Action* action) {
   return rows;
 }
 
-std::vector<WordRow> WordsIn(const Action& action) {
-  std::vector<WordRow> rows;
-  const auto parameters = action.operation->parameters;
-  for (size_t i = 0; i < std::min(parameters.size(), action.arguments.size()); ++i) {
-    const grammar::Argument& argument = action.arguments[i];
-    const std::string label = Capital(std::string(parameters[i].name));
-    if (const auto* axis = std::get_if<grammar::Axis>(&argument)) {
-      rows.push_back({label, std::string(grammar::NameOf(*axis))});
-    } else if (const auto* text = std::get_if<std::string>(&argument);
-               text && parameters[i].words.size() != 1) {  // of one word there is no choice
-      rows.push_back({label, *text});
-    }
-  }
-  return rows;
-}
-
 std::vector<std::string> Symbols(const Action& action) {
   std::vector<std::string> symbols;
   const std::string all = SymbolsOf(action);
@@ -123,7 +105,7 @@ class NodeRows {
     Action action = node_.action;
     Query();
     for (const NumberRow& row : NumbersOf(&action)) Number(row);
-    for (const WordRow& row : WordsIn(node_.action)) Word(row);
+    for (const WordPick& pick : WordPicksOf(node_.action)) Word(pick);
     bool first = true;
     for (const std::string& symbol : Symbols(node_.action)) {
       Symbol(symbol, first);
@@ -190,11 +172,15 @@ class NodeRows {
     if (ui_->Button(look, box).pressed) ui_->SendTyped(SetNumber{row.dial.name, *row.usual});
   }
 
-  void Word(const WordRow& row) {
-    const Box box = Take(ui_->U(28), 4);
+  void Word(const WordPick& pick) {
+    const Box box = Take(WordPickHeight(ui_, pick), 0);
     if (!draw_) return;
-    ui_->Text(row.label, box, {Letter::kSmall, Tone::kQuiet});
-    ui_->Text(row.value, box, {Letter::kBody, Tone::kText, Ground::kPanel, 1});
+    auto picked = DrawWordPick(ui_, pick, box);
+    if (!picked) return;
+    const SessionState& state = *ui_->view().session->state;
+    grammar::Trees trees = state.model.trees();
+    NodeAt(&trees, state.in_hand).action.arguments[pick.argument] = std::move(*picked);
+    ui_->SendTyped(RewriteAs(trees));
   }
 
   void Symbol(const std::string& symbol, bool first) {

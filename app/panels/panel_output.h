@@ -45,7 +45,7 @@ struct PanelTarget {
   std::string name;  ///< "Tools/Undo": its panel and what it says
   Vec2 low_px, high_px;
   bool enabled = true;
-  bool visible = true;  ///< its middle is neither scrolled away nor hidden
+  bool visible = true;  ///< no part of it is scrolled away
 };
 
 /// A line of text as it was drawn.
@@ -62,9 +62,10 @@ struct PanelOutput {
   /// A number that is being dragged: the application may show what it would come to. Not a command:
   /// the one that counts is sent when it is let go, so that undo has one step.
   std::optional<SetNumber> trial;
-  std::optional<size_t> preview;  ///< index of the suggestion to show as wire frame
-  bool takes_pointer = false;     ///< the pointer is the panels'; draw no ink, orbit nothing
-  bool holds_pointer = false;     ///< it is theirs wherever it goes: a press or a text field
+  std::optional<size_t> preview;        ///< index of the suggestion to show as wire frame
+  std::optional<size_t> query_preview;  ///< index of the query whose shapes to outline
+  bool takes_pointer = false;           ///< the pointer is the panels'; draw no ink, orbit nothing
+  bool holds_pointer = false;           ///< it is theirs wherever it goes: a press or a text field
   bool takes_keys = false;  ///< a text field is active, or a key of this frame moved or pressed
                             ///< what has the focus, or opened or closed a sheet
 

@@ -194,7 +194,7 @@ void Panels::Parts::DrawAll() {
   if (!keyboard_shown()) DrawStatus(&ui_, &memory_);
   DrawColumn();
   output_.preview = DrawSuggestions(&ui_, &memory_);
-  DrawQueries(&ui_, &memory_);
+  output_.query_preview = DrawQueries(&ui_, &memory_);
   DrawLeftDrafts(&ui_, &memory_);
   DrawOpenSheet(&ui_, &memory_);
   if (keyboard_shown()) keyboard_.Draw(&ui_, keyboard_box_);
@@ -205,7 +205,7 @@ void Panels::Parts::DrawAll() {
 void Panels::Parts::DrawColumn() {
   if (!memory_.rules_shown) return;
   Box column = memory_.layout.rules;
-  const float gap = ui_.U(8), rules = RulesHeight(&ui_, column.width());
+  const float gap = ui_.U(8), rules = RulesHeight(&ui_, memory_, column.width());
   const auto* node = NodeInHand(view_);
   if (!node) return DrawRules(&ui_, &memory_, column.CutTop(rules));
   const float wanted = NodeHeight(&ui_, *node, column.width());

@@ -44,10 +44,10 @@ Press DrawCard(Ui* ui, const QueryCard& card, size_t i, Box box) {
 
 }  // namespace
 
-void DrawQueries(Ui* ui, Memory* memory) {
-  if (!ui->view().session) return;
+std::optional<size_t> DrawQueries(Ui* ui, Memory* memory) {
+  if (!ui->view().session) return std::nullopt;
   const Selection& selection = ui->view().session->state->selection;
-  if (selection.shapes.empty()) return;
+  if (selection.shapes.empty()) return std::nullopt;
   const float gap = ui->U(kMeasures.gap), side = ui->U(kMeasures.target);
   const float width = ui->U(kMeasures.card + 40), inner = width - 2 * gap;
   std::vector<QueryCard> cards;
@@ -64,21 +64,24 @@ void DrawQueries(Ui* ui, Memory* memory) {
   const Box sheet = memory->queries.Stand({x - reach, y - reach, x + reach, y + reach},
                                           ui->view().pen.position_px, width, height, free,
                                           ui->view().settings.left_handed, ui->scale());
-  if (!ui->BeginSheet("Queries", sheet)) return;
+  if (!ui->BeginSheet("Queries", sheet)) return std::nullopt;
   Box rest = sheet.Inset(gap);
   Box head = rest.CutTop(side, gap);
   const ButtonLook close{.name = "Select nothing", .icon = Icon::kClose};
   if (ui->Button(close, head.CutRight(side)).pressed) ui->Send(Command(Select{}));
   ui->Text("Which do you mean?", head.Inset(ui->U(8), 0), {Letter::kStrong});
+  std::optional<size_t> preview;
   Box list = ui->BeginList("list", rest, content);
   for (size_t i = 0; i < cards.size(); ++i) {
     const Box box = list.CutTop(cards[i].height, ui->U(2));
-    if (DrawCard(ui, cards[i], i, box).pressed) {
-      ui->Send(Command(SetQuery{fmt::format("{}", i + 1)}));
-    }
+    const Press press = DrawCard(ui, cards[i], i, box);
+    const std::string full = fmt::format("Queries/{} {}", i + 1, cards[i].reading);
+    if (press.hovered || press.held || ui->focus() == full) preview = i;
+    if (press.pressed) ui->Send(Command(SetQuery{fmt::format("{}", i + 1)}));
   }
   ui->EndList();
   ui->EndSheet();
+  return preview;
 }
 
 }  // namespace parti::app::panels

@@ -7,7 +7,7 @@
 
 namespace parti::app::panels {
 
-/// Draws the cards beside the tap.
-void DrawQueries(Ui* ui, Memory* memory);
+/// Draws the cards beside the tap. Returns the query that the pointer or the keyboard is on.
+std::optional<size_t> DrawQueries(Ui* ui, Memory* memory);
 
 }  // namespace parti::app::panels

@@ -1,5 +1,6 @@
 #include "app/panels/rules_sheet.h"
 
+#include "app/panels/text_sheet.h"
 #include "app/panels/tree_rows.h"
 #include "app/panels/words.h"
 #include "grammar/query.h"
@@ -180,9 +181,12 @@ float ListWidth(Ui* ui, float width) { return width - ui->U(2 * kMeasures.gap); 
 
 }  // namespace
 
-float RulesHeight(Ui* ui, float width) {
+float RulesHeight(Ui* ui, const Memory& memory, float width) {
   const std::vector<RowText> rows = AllRows(ui, ListWidth(ui, width));
   const float head = ui->U(kMeasures.target + 3 * kMeasures.gap);
+  if (!rows.empty() && memory.rules_as_text) {
+    return head + RulesTextHeight(ui, memory, ListWidth(ui, width));
+  }
   if (!rows.empty()) return head + HeightOf(ui, rows);
   const Box room{0, 0, ListWidth(ui, width) - ui->U(16), 0};
   return head + ui->Paragraph(kNoRules, room, {}, false) + ui->U(20);
@@ -190,18 +194,26 @@ float RulesHeight(Ui* ui, float width) {
 
 void DrawRules(Ui* ui, Memory* memory, const Box& box) {
   if (!ui->BeginSheet("Rules", box)) return;
-  const float gap = ui->U(kMeasures.gap);
+  const float gap = ui->U(kMeasures.gap), width = ListWidth(ui, box.width());
   Box rest = box.Inset(gap);
-  const Box head = rest.CutTop(ui->U(kMeasures.target), gap);
-  ui->Text("Rules", head.Inset(ui->U(8), 0), {Letter::kStrong});
+  Box head = rest.CutTop(ui->U(kMeasures.target), gap);
   ui->Hairline(head);
-  const std::vector<RowText> rows = AllRows(ui, ListWidth(ui, box.width()));
+  const std::vector<RowText> rows = AllRows(ui, width);
+  if (!rows.empty()) {
+    const Box toggle = head.CutRight(ui->U(88));
+    const ButtonLook text{.name = "As text", .label = "As text", .chosen = memory->rules_as_text};
+    if (ui->Button(text, toggle).pressed) memory->rules_as_text = !memory->rules_as_text;
+  }
+  ui->Text("Rules", head.Inset(ui->U(8), 0), {Letter::kStrong});
   if (rows.empty()) {
     ui->Paragraph(kNoRules, rest.Inset(ui->U(8)), {Letter::kBody, Tone::kQuiet});
     return ui->EndSheet();
   }
-  const Box list = ui->BeginList("list", rest, HeightOf(ui, rows));
-  RuleList(ui, memory).Draw(rows, list);
+  if (memory->rules_as_text) {
+    DrawRulesText(ui, memory, ui->BeginList("text", rest, RulesTextHeight(ui, *memory, width)));
+  } else {
+    RuleList(ui, memory).Draw(rows, ui->BeginList("list", rest, HeightOf(ui, rows)));
+  }
   ui->EndList();
   ui->EndSheet();
 }

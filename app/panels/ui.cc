@@ -192,7 +192,7 @@ void Ui::ScrollWithPointer(const std::string& full, const Box& box) {
 }
 
 void Ui::AddTarget(const std::string& full, const Box& box, bool enabled) {
-  const bool visible = !list_ || list_->Contains({box.middle_x(), box.middle_y()});
+  const bool visible = !list_ || (box.y0 >= list_->y0 - 1 && box.y1 <= list_->y1 + 1);
   output_->targets.push_back({full, {box.x0, box.y0}, {box.x1, box.y1}, enabled, visible});
   if (enabled) places_.push_back({full, box, list_.value_or(Box{})});
 }

@@ -104,6 +104,14 @@ class Ui {
 
   /// In the style of all buttons.
   Press Button(const ButtonLook& look, const Box& box);
+  /// What became of a FieldOver.
+  struct Over {
+    bool typing = false, hovered = false;
+  };
+  /// A part of a sheet that is drawn by the caller and becomes a field when it is tapped; what was
+  /// typed. Where it is hovered the ground is there already, where it is typed into all of it.
+  std::optional<std::string> FieldOver(const std::string& name, const Box& box,
+                                       const std::string& value, Over* over);
   /// A press without a look of its own. `name` is unique in its sheet.
   Press Area(const std::string& name, const Box& box, bool enabled = true);
   /// Scrolls the list being drawn so that a part of it is seen.

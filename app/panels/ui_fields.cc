@@ -45,6 +45,22 @@ std::optional<std::string> Ui::Field(const std::string& name, const Box& box,
   return std::nullopt;
 }
 
+std::optional<std::string> Ui::FieldOver(const std::string& name, const Box& box,
+                                         const std::string& value, Over* over) {
+  const std::string full = Full(name);
+  over->typing = editing_ == full;
+  if (over->typing) {
+    Fill(box, Ground::kRaised, kMeasures.small_radius);
+    Border(box, kMeasures.small_radius);
+    return Edit(full, box, value);
+  }
+  const Press press = Area(name, box);
+  over->hovered = press.hovered || press.held;
+  if (over->hovered) Fill(box, Ground::kHover, kMeasures.small_radius);
+  if (press.pressed) StartEdit(full, value);
+  return std::nullopt;
+}
+
 std::optional<std::string> Ui::Edit(const std::string& full, const Box& box,
                                     const std::string& value) {
   edit_seen_ = true;

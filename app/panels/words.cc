@@ -175,9 +175,10 @@ std::string KeptTogether(const std::string& text) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string kept;
   for (size_t i = 0; i < text.size(); ++i) {
-    const bool after_number = text[i] == ' ' && i > 0 && is_digit(text[i - 1]);
-    const bool before_word = i + 1 < text.size() && !is_digit(text[i + 1]);
-    if (after_number && before_word) {
+    const bool between = text[i] == ' ' && i > 0 && i + 1 < text.size();
+    const bool unit = between && is_digit(text[i - 1]) && !is_digit(text[i + 1]);
+    const bool brace = between && (text[i - 1] == '{' || text[i + 1] == '}');
+    if (unit || brace) {
       kept += "\u00a0";
     } else {
       kept += text[i];

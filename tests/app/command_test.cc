@@ -18,6 +18,7 @@ TEST(CommandTest, EveryCommandReadsBackAsWritten) {
                            "query .Facade:north / .Floor:even",
                            "set sizes[1] 2.75",
                            "node .Glass --> color(\"#7f9db5\")",
+                           "rewrite tree house { .Lot --> extrude(9) Mass }",
                            "clear",
                            "undo",
                            "redo",

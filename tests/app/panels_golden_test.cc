@@ -1,6 +1,7 @@
 // Pictures of every panel in both themes at 1x and 2x, as docs/panels.md shows them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
 
 #include "tests/app/panels_driver.h"
 #include "tests/app/panels_picture.h"
@@ -63,6 +64,18 @@ TEST_P(PanelsGolden, RulesAndTheNodeInHand) {
   panels_.Tap("Menu/Rules");
   panels_.Frame({PanelPointerGone{}});
   Look("rules", {"Rules", "Node", "Menu"});
+}
+
+TEST_P(PanelsGolden, RulesAsText) {
+  panels_.view.session = WholeHouse();
+  Resize({1280, 1000});
+  panels_.Tap("Menu/Rules");
+  panels_.Tap("Rules/As text");
+  panels_.Tap("Rules/Line 4");
+  panels_.Type(".Facade --> splt(y) { 4.1: Ground | ~1: CenterFloors | 3: TopFloor } {");
+  panels_.Key(KEY_ENTER);
+  panels_.Frame({PanelPointerGone{}});
+  Look("rules-text", {"Rules", "Menu"});
 }
 
 TEST_P(PanelsGolden, Queries) {

@@ -24,8 +24,85 @@ class PanelsRules : public ::testing::Test {
   PanelDriver panels_;
 };
 
+TEST(PanelsQueries, AHoveredQueryIsPreviewed) {
+  PanelDriver panels;
+  panels.view.session = HouseWithTaps(2);
+  panels.view.tapped_px = Vec2(600, 400);
+  EXPECT_EQ(panels.Frame().query_preview, std::nullopt);
+  EXPECT_EQ(panels.Hover("Queries/2 ").query_preview, std::optional<size_t>(1));
+}
+
 TEST_F(PanelsRules, ATapOnARowTakesItsNode) {
   EXPECT_THAT(panels_.Tap("Rules/0/0/0 Take faces"), ElementsAre(Sent(app::Take{{0, 0, 0}})));
+}
+
+bool Rewrites(const std::vector<PanelCommand>& sent, const std::string& part) {
+  if (sent.size() != 1) return false;
+  return std::get<Rewrite>(std::get<Command>(sent[0])).text.find(part) != std::string::npos;
+}
+
+TEST_F(PanelsRules, AnAxisIsPicked) {
+  Take({0, 0, 0, 0});
+  EXPECT_TRUE(Rewrites(panels_.Tap("Node/Axis across"), ".Facade --> split(x) { 4.1: Ground"));
+}
+
+TEST_F(PanelsRules, AColorIsPickedOrTyped) {
+  Take({0, 3});
+  EXPECT_TRUE(Rewrites(panels_.Tap("Node/Brick"), ".Glass --> color(\"#b5654a\")"));
+  panels_.Tap("Node/Color");
+  panels_.Type("#112233");
+  EXPECT_TRUE(Rewrites(panels_.Key(KEY_ENTER), "color(\"#112233\")"));
+}
+
+class PanelsRulesText : public PanelsRules {
+ protected:
+  void SetUp() override {
+    PanelsRules::SetUp();
+    panels_.Tap("Rules/As text");
+  }
+  std::vector<PanelCommand> TypeOver(const std::string& line, const std::string& text) {
+    panels_.Tap(line);
+    panels_.Type(text);
+    return panels_.Key(KEY_ENTER);
+  }
+  bool Says(const std::string& text) {
+    const auto& texts = panels_.Frame().texts;
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const PanelText& t) { return t.text.find(text) != std::string::npos; });
+  }
+};
+
+TEST_F(PanelsRulesText, ALineIsTypedOver) {
+  EXPECT_TRUE(Says(".Frame --> extrude(0.15)"));
+  const auto sent = TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)");
+  ASSERT_EQ(sent.size(), 1u);
+  const auto& rewrite = std::get<Rewrite>(std::get<Command>(sent[0]));
+  EXPECT_NE(rewrite.text.find(".Frame --> extrude(0.25) .RoofBorder"), std::string::npos)
+      << rewrite.text;
+  EXPECT_EQ(rewrite.text.find('\n'), std::string::npos);
+}
+
+TEST_F(PanelsRulesText, WhatCantBeReadWaitsAndSaysSoAtItsLine) {
+  EXPECT_THAT(TypeOver("Rules/Line 19", ".Frame --> extrud(0.25)"), IsEmpty());
+  EXPECT_TRUE(Says("'extrude'?"));
+  EXPECT_TRUE(Says("Not in force yet"));
+  EXPECT_THAT(TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)"), ::testing::SizeIs(1));
+}
+
+TEST_F(PanelsRulesText, WhatWaitsCanBeTakenBack) {
+  TypeOver("Rules/Line 19", "{{{");
+  panels_.Tap("Rules/Back to the rules in force");
+  EXPECT_FALSE(Says("Not in force yet"));
+  EXPECT_TRUE(Says(".Frame --> extrude(0.15)"));
+}
+
+TEST_F(PanelsRulesText, AnEmptiedLineIsTakenOut) {
+  panels_.Tap("Rules/Line 19");
+  panels_.Key(KEY_BACKSPACE);
+  const auto sent = panels_.Key(KEY_ENTER);
+  ASSERT_EQ(sent.size(), 1u);
+  const auto& rewrite = std::get<Rewrite>(std::get<Command>(sent[0]));
+  EXPECT_EQ(rewrite.text.find(".Frame"), std::string::npos);
 }
 
 TEST_F(PanelsRules, ATapOnTheRowInHandLetsItGo) {

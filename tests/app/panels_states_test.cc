@@ -30,6 +30,12 @@ const StateCase kStates[] = {
        p->view.session = WholeHouse();
        p->Tap("Menu/Rules");
      }},
+    {"RulesAsText",
+     [](PanelDriver* p) {
+       p->view.session = WholeHouse();
+       p->Tap("Menu/Rules");
+       p->Tap("Rules/As text");
+     }},
     {"Node",
      [](PanelDriver* p) {
        p->view.session = Taken(WholeHouse(), {0, 0, 0, 0});

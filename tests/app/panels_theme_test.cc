@@ -160,6 +160,7 @@ TEST(PanelWordsTest, NumbersAreShort) {
 TEST(PanelWordsTest, ANumberAndItsUnitStayOnOneLine) {
   EXPECT_EQ(KeptTogether("every 2.5 m"), "every 2.5\u00a0m");
   EXPECT_EQ(KeptTogether("from 3 4"), "from 3 4");
+  EXPECT_EQ(KeptTogether("{ … }* repeats"), "{\u00a0…\u00a0}* repeats");
 }
 
 TreeRow RowAt(const NodePath& path, int children = 0) {

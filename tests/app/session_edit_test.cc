@@ -38,6 +38,17 @@ TEST_F(SessionEditTest, ATakenNodeIsWhatNumbersQueriesAndNamesChange) {
   EXPECT_THAT(Rules(), HasSubstr(".Floor:even --> color"));
 }
 
+TEST_F(SessionEditTest, RulesAreRewrittenWhole) {
+  Do("take 0/3");
+  Do("rewrite tree low { .Lot --> extrude(3) Mass } tree on { .Mass --> tag(\"x\") }");
+  EXPECT_THAT(Rules(), HasSubstr("tree low {\n  .Lot --> extrude(3) Mass\n}"));
+  EXPECT_THAT(state().in_hand, IsEmpty());
+  EXPECT_EQ(Count(".Floor"), 0u);
+  Do("undo");
+  EXPECT_GT(Count(".Floor"), 0u);
+  EXPECT_EQ(Refused("rewrite tree low { .Lot --> extrud(3) Mass }").code, ErrorCode::kUnknownName);
+}
+
 TEST_F(SessionEditTest, PathsThatLeadNowhereAreRefusedWithWhatThereIs) {
   for (const char* line : {"take 0/4", "take 1/0", "take 0/0/0", "switch 0/9 off", "switch 3 off",
                            "delete 0/4", "delete 1", "move 0/7 to 0/0", "move 0/0 to 0/4",

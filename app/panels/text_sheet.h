@@ -1,0 +1,16 @@
+// The rules as text: a line for each node, typed over where it is tapped, with what is wrong in
+// place. Which lines there are is rules_text.h's.
+#pragma once
+
+#include "app/panels/memory.h"
+#include "app/panels/ui.h"
+
+namespace parti::app::panels {
+
+/// Of all lines in a list of this width, px.
+float RulesTextHeight(Ui* ui, const Memory& memory, float width);
+
+/// Draws them into a list.
+void DrawRulesText(Ui* ui, Memory* memory, Box list);
+
+}  // namespace parti::app::panels
