@@ -51,6 +51,6 @@ Result<Document> OpenDocument(const std::string& path);
 bool LooksLikeDocument(const std::string& path);
 
 inline constexpr int kDocumentApplicationId = 0x50525449;  // "PRTI"
-inline constexpr int kDocumentVersion = 2;
+inline constexpr int kDocumentVersion = 3;
 
 }  // namespace parti::app

@@ -52,8 +52,8 @@ Result<StateParts> StateOfVersion1(Database* database) {
   return parts;
 }
 
-/// Version 1 becomes version 2. Strokes and history are the same in both, under other names here
-/// so that the new tables can be made as for a new document.
+/// Version 1 becomes version 2, whose tables are still those of today. Strokes and history are the
+/// same in both, under other names here so that the new tables can be made as for a new document.
 Result<void> From1To2(Database* database) {
   const auto state = StateOfVersion1(database);
   if (!state) return Fail(state);
@@ -71,6 +71,12 @@ Result<void> From1To2(Database* database) {
   return done;
 }
 
+/// Version 3 is version 2 with states that may have a source: one that has none is the same in
+/// both.
+Result<void> From2To3(Database* database) {
+  return database->Execute(fmt::format("PRAGMA user_version = {}", kDocumentVersion));
+}
+
 }  // namespace
 
 Result<void> Migrate(Database* database, const std::string& path) {
@@ -79,7 +85,7 @@ Result<void> Migrate(Database* database, const std::string& path) {
   if (*version == kDocumentVersion) return {};
   auto done = database->Execute("BEGIN IMMEDIATE");
   if (!done) return done;
-  done = From1To2(database);
+  done = *version == 1 ? From1To2(database) : From2To3(database);
   if (done) done = database->Execute("COMMIT");
   if (done) return done;
   static_cast<void>(database->Execute("ROLLBACK"));

@@ -176,6 +176,7 @@ StateParts PartsOf(const SessionRecord& record) {
                    {"rules", text(grammar::TextOf(*record.rules))},
                    {"view", text(JsonOf(record.camera))}};
   const Json sketch = SketchJson(record);
+  if (record.ground->source) parts["source"] = text(TextOf(*record.ground->source));
   if (!sketch.empty()) parts["sketch"] = text(Dumped(sketch));
   Json views = Json::array();
   for (const NamedView& view : record.views) {
@@ -188,11 +189,18 @@ StateParts PartsOf(const SessionRecord& record) {
 Result<std::shared_ptr<const Ground>> RecordReader::Lots(const StateParts& parts) {
   const auto text = TextIn(parts, "lots");
   if (!text) return Fail(text);
-  auto& known = grounds_[*text];
+  const auto source = parts.find("source");
+  const SharedText source_text = source != parts.end() ? source->second : nullptr;
+  auto& known = grounds_[{*text, source_text}];
   if (known) return known;
   auto lots = LotsFrom(**text);
   if (!lots) return Fail(lots);
-  return known = GroundOf(std::move(*lots));
+  if (!source_text) return known = GroundOf(std::move(*lots));
+  auto rules = RuleSourceFrom(*source_text);
+  if (!rules) return Fail(rules);
+  auto ground = GroundOf(std::move(*lots), std::make_shared<const RuleSource>(std::move(*rules)));
+  if (!ground) return Fail(ground);
+  return known = std::move(*ground);
 }
 
 Result<std::shared_ptr<const grammar::Trees>> RecordReader::Rules(const StateParts& parts) {

@@ -18,8 +18,9 @@ std::string LotsText(const std::vector<Lot>& lots);
 /// errors  kBadText and those of PlanarItemFrom.
 Result<std::vector<Lot>> LotsFrom(std::string_view text);
 
-/// "lots", "rules" and "view" as they are read by people; "views" the named ones; "sketch" the
-/// numbers of its strokes and what else undo brings back. The last two only where there is any.
+/// "lots", "rules" and "view" as they are read by people; "source" the text and settings of rules;
+/// "views" the named ones; "sketch" the numbers of its strokes and what else undo brings back. The
+/// last three only where there is any.
 StateParts PartsOf(const SessionRecord& record);
 
 /// Reads the states of one document; what they share is read once and shared again.
@@ -37,7 +38,8 @@ class RecordReader {
   Result<std::shared_ptr<const grammar::Trees>> Rules(const StateParts& parts);
 
   Strokes strokes_;
-  std::map<SharedText, std::shared_ptr<const Ground>> grounds_;
+  /// By lots and source.
+  std::map<std::pair<SharedText, SharedText>, std::shared_ptr<const Ground>> grounds_;
   std::map<SharedText, std::shared_ptr<const grammar::Trees>> rules_;
 };
 

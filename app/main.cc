@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   AddReportCommand(app, &run);
   AddRenderCommand(app, &run);
   AddExportCommand(app, &run);
+  AddDeriveCommand(app, &run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

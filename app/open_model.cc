@@ -4,7 +4,6 @@
 
 #include "app/commands/commands.h"
 #include "app/document.h"
-#include "app/model_file.h"
 
 namespace parti::app {
 namespace {
@@ -20,6 +19,66 @@ tl::expected<OpenedModel, std::vector<Error>> FromDocument(const std::string& pa
   return OpenedModel{std::move(*model), present.camera};
 }
 
+/// The first option that only a text can have; "" none.
+std::string OptionOfTexts(const ModelOptions& options) {
+  if (!options.lot.empty()) return "--lot";
+  if (!options.start.empty()) return "--start";
+  if (!options.sets.empty()) return "--set";
+  if (!options.style.empty()) return "--style";
+  if (!options.layers_off.empty()) return "--layers-off";
+  if (options.seed != 0) return "--seed";
+  return options.skip_unknown ? "--skip-unknown" : "";
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& list) {
+  std::vector<std::string> names;
+  for (size_t from = 0; from < list.size();) {
+    const size_t comma = std::min(list.find(',', from), list.size());
+    if (comma > from) names.push_back(list.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return names;
+}
+
+Result<RuleSource> SourceOf(const ModelOptions& options) {
+  RuleSource source;
+  source.style = options.style;
+  source.skip_unknown = options.skip_unknown;
+  source.layers.off = SplitAtCommas(options.layers_off);
+  source.settings.start = options.start;
+  source.settings.seed = options.seed;
+  source.settings.limits = options.limits;
+  for (const std::string& set : options.sets) {
+    const size_t equals = set.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return Fail(ErrorCode::kBadArguments, fmt::format("--set '{}' is not NAME=VALUE", set),
+                  "for example: --set height=12");
+    }
+    source.settings.attributes.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+  }
+  return source;
+}
+
+tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& options,
+                                                       const grammar::RuleThreads& threads) {
+  auto source = SourceOf(options);
+  if (!source) return Failed({source.error()});
+  auto rules = ReadRules(options.file, &*source);
+  if (!rules) return Failed(std::move(rules.error()));
+  auto lots = ParseLots(options.lot.empty() ? kUsualLot : options.lot);
+  if (!lots) return Failed({lots.error()});
+  auto trees = std::make_shared<const grammar::Trees>(std::move(rules->trees));
+  Result<std::shared_ptr<const Ground>> ground =
+      rules->rules.empty()
+          ? GroundOf(std::move(*lots))
+          : GroundOf(std::move(*lots), std::make_shared<const RuleSource>(std::move(*source)),
+                     *rules, threads);
+  if (!ground) return Failed({ground.error()});
+  auto model = Derived(std::move(*ground), std::move(trees), nullptr);
+  if (!model) return Failed({model.error()});
+  return OpenedModel{std::move(*model), std::nullopt};
+}
+
 }  // namespace
 
 void AddModelOptions(CLI::App* command, ModelOptions* options) {
@@ -29,22 +88,32 @@ void AddModelOptions(CLI::App* command, ModelOptions* options) {
       fmt::format("for a text ({}): rect(WIDTH,DEPTH), poly(x,z x,z …), or a GeoJSON "
                   "(in metres), CityJSON or rings JSONL file",
                   kUsualLot));
+  command->add_option("--start", options->start, "the lot's symbol (@StartRule, else Lot)");
+  command->add_option("--set", options->sets, "NAME=VALUE: an attribute's value")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--seed", options->seed, "of all that is left to chance (0)");
+  command->add_option("--style", options->style, "a style of the rules");
+  command->add_option("--layers-off", options->layers_off, "Rule.layer,Rule.layer: left out");
+  command->add_flag("--skip-unknown", options->skip_unknown,
+                    "leave out operations and annotations that are not known");
+  command->add_option("--threads", options->threads, "at once (as many as there are cores)")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--depth", options->limits.depth, "levels of rules at most (250)");
+  command->add_option("--shapes", options->limits.shapes, "of one lot at most (2000000)");
+  command->add_option("--seconds", options->limits.seconds, "for one lot at most (any time)");
 }
 
-tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options) {
-  if (LooksLikeDocument(options.file)) {
-    if (!options.lot.empty()) {
-      return Failed({Error{ErrorCode::kBadArguments, "a document has its own lots",
-                           "leave --lot out, or give a .cga text"}});
-    }
-    return FromDocument(options.file);
-  }
-  auto file =
-      options.lot.empty() ? ReadModelFile(options.file) : ReadModelFile(options.file, options.lot);
-  if (!file) return Failed(std::move(file.error()));
-  auto model = BuiltOn(std::move(file->lots), std::move(file->trees));
-  if (!model) return Failed({model.error()});
-  return OpenedModel{std::move(*model), std::nullopt};
+tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options,
+                                                        const grammar::RuleThreads& threads) {
+  grammar::RuleThreads chosen = threads;
+  chosen.count = options.threads;
+  if (!LooksLikeDocument(options.file)) return FromText(options, chosen);
+  const std::string extra = OptionOfTexts(options);
+  if (extra.empty()) return FromDocument(options.file);
+  return Failed({Error{ErrorCode::kBadArguments,
+                       fmt::format("{} is for texts: a document has its own", extra),
+                       "leave it out, or give a .cga text"}});
 }
 
 int ReportAll(const std::vector<Error>& errors) {

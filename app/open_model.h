@@ -1,5 +1,5 @@
-// FILE of the command line: a document, or a text of rules with its lot, made into a model.
-// Not responsible for reading either (document.h, model_file.h).
+// FILE of the command line: a document, or a text of rules with its lots, made into a model.
+// Not responsible for reading either (document.h, rule_source.h).
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,13 +11,24 @@
 
 namespace parti::app {
 
-/// What follows FILE on every command that takes one.
+/// What a text is derived on when no lot is given.
+inline constexpr std::string_view kUsualLot = "rect(20,20)";
+
+/// What follows FILE on every command that takes one: a text's lots, start, attributes, layers.
 struct ModelOptions {
   std::string file;
   std::string lot;  ///< LOT of docs/interfaces.md; "" for the usual one
+  std::string start;
+  std::string style;
+  std::string layers_off;         ///< "Facade.door,Facade.floors"
+  std::vector<std::string> sets;  ///< "NAME=VALUE"
+  uint64_t seed = 0;
+  bool skip_unknown = false;
+  int threads = 0;
+  grammar::RuleLimits limits;
 };
 
-/// Adds FILE and --lot to a command.
+/// Adds FILE and its options to a command.
 void AddModelOptions(CLI::App* command, ModelOptions* options);
 
 /// A model, and how it was last looked at.
@@ -26,9 +37,11 @@ struct OpenedModel {
   std::optional<Camera> view;  ///< that a document was saved with
 };
 
-/// errors  those of OpenDocument, ReadModelFile and BuiltOn, all that were found;  kBadArguments  a
-///         lot given for a document, which has its own.
-tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options);
+/// errors  those of OpenDocument, ReadRules, GroundOf and Derived, all that were found;
+///         kBadArguments  options of a text given for a document, which has its own; a --set that
+///         is not NAME=VALUE.
+tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options,
+                                                        const grammar::RuleThreads& threads = {});
 
 /// Prints each; returns kFailed.
 int ReportAll(const std::vector<Error>& errors);

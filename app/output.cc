@@ -10,6 +10,7 @@
 #include "app/export_obj.h"
 #include "app/picture.h"
 #include "base/text_file.h"
+#include "grammar/rules/rule_text.h"
 
 namespace parti::app {
 namespace {
@@ -27,7 +28,14 @@ ModelMesh MeshOf(const Model& model) {
 }
 
 Result<void> WriteRules(const Request& request) {
-  const std::string text = grammar::TextOf(request.model.trees());
+  grammar::RuleSet rules;
+  if (request.model.ground->source) {
+    auto written = RulesToWrite(*request.model.ground->source);
+    if (!written) return tl::unexpected<Error>(written.error().front());
+    rules = std::move(*written);
+  }
+  rules.trees = request.model.trees();
+  const std::string text = grammar::TextOf(rules);
   if (text.empty()) {
     return Fail(ErrorCode::kNothingMade, fmt::format("there are no rules for {}", request.path));
   }

@@ -48,8 +48,9 @@ Result<SessionState> WithRules(SessionState state, Trees trees, const NodePath& 
 Result<SessionState> Do(const SetLot& command, SessionState state, const SessionOptions&) {
   auto lots = ParseLots(command.lot);
   if (!lots) return Fail(lots);
-  auto model =
-      Derived(GroundOf(std::move(*lots)), state.model.rules, nullptr, grammar::Unfit::kSkip);
+  auto ground = GroundOf(std::move(*lots), state.model.ground->source);
+  if (!ground) return Fail(ground);
+  auto model = Derived(std::move(*ground), state.model.rules, nullptr, grammar::Unfit::kSkip);
   if (!model) return Fail(model);
   state.model = std::move(*model);
   state.sketch = {};

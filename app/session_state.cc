@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/text_file.h"
+#include "grammar/asset_library.h"
+
 namespace parti::app {
 
 std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots) {
@@ -13,6 +16,34 @@ std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots) {
     ground->roots.push_back(std::make_shared<const grammar::ShapeTree>(lot.item));
   }
   ground->lots = std::move(lots);
+  return ground;
+}
+
+Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
+                                               std::shared_ptr<const RuleSource> source) {
+  if (!source) return GroundOf(std::move(lots));
+  const auto rules = RulesOf(*source);
+  if (!rules) return tl::unexpected<Error>(rules.error().front());
+  return GroundOf(std::move(lots), std::move(source), *rules);
+}
+
+Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
+                                               std::shared_ptr<const RuleSource> source,
+                                               const grammar::RuleSet& rules,
+                                               const grammar::RuleThreads& threads) {
+  std::vector<grammar::Item> items;
+  for (const Lot& lot : lots) items.push_back(lot.item);
+  grammar::AssetLibrary assets([](const std::string& path) { return ReadFile(path); });
+  grammar::RuleThreads watched = threads;
+  watched.assets = &assets;
+  auto trees = grammar::DeriveRules(rules, source->settings, items, watched);
+  if (!trees) return Fail(trees);
+  auto ground = std::make_shared<Ground>();
+  for (grammar::ShapeTree& tree : *trees) {
+    ground->roots.push_back(std::make_shared<const grammar::ShapeTree>(std::move(tree)));
+  }
+  ground->lots = std::move(lots);
+  ground->source = std::move(source);
   return ground;
 }
 

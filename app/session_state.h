@@ -9,9 +9,11 @@
 
 #include "app/command.h"
 #include "app/lot.h"
+#include "app/rule_source.h"
 #include "base/camera.h"
 #include "base/stroke.h"
 #include "grammar/generalise.h"
+#include "grammar/rules/rule_derivation.h"
 #include "grammar/selection_action.h"
 #include "sketch/suggestion.h"
 
@@ -27,8 +29,9 @@ struct DrawnStroke {
 /// What the rules run on; shared by all models on the same lots.
 struct Ground {
   std::vector<Lot> lots;
-  /// One per lot: its tree before any rule has run.
+  /// One per lot: its tree before any selection-action tree has run; what the source's rules made.
   std::vector<std::shared_ptr<const grammar::ShapeTree>> roots;
+  std::shared_ptr<const RuleSource> source;  ///< null: no rules, each root is its lot alone
 };
 
 /// A node that some shapes of a lot could not take: it stays, and acts on the others.
@@ -51,8 +54,18 @@ struct Model {
   const grammar::Trees& trees() const { return *rules; }
 };
 
-/// Lots with their roots.
+/// Lots with their roots, and no rules.
 std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots);
+
+/// Lots with what the rules of a source (may be null) make of them.
+/// errors  those of grammar::DeriveRules, and of RulesOf the first.
+Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
+                                               std::shared_ptr<const RuleSource> source);
+/// The same with rules that were read before.
+Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
+                                               std::shared_ptr<const RuleSource> source,
+                                               const grammar::RuleSet& rules,
+                                               const grammar::RuleThreads& threads = {});
 
 /// A model on these lots.
 /// errors  those of grammar::Derive; the message names the lot where there are several.

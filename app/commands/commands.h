@@ -31,5 +31,6 @@ void AddQueryCommand(CLI::App& app, Run* run);
 void AddCheckCommand(CLI::App& app, Run* run);
 void AddRenderCommand(CLI::App& app, Run* run);
 void AddExportCommand(CLI::App& app, Run* run);
+void AddDeriveCommand(CLI::App& app, Run* run);
 
 }  // namespace parti::app

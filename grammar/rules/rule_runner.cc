@@ -374,6 +374,7 @@ Result<ShapeIndex> RuleRunner::Place(NameId symbol, const TextRange& range, Body
   const InHand& hand = run->hand;
   if (run->taken != kNoShape) {
     const ShapeIndex taken = std::exchange(run->taken, kNoShape);
+    run->hand.changed.anchor.reset();
     if (hand.is_changed) tree_->SetItem(taken, hand.changed);
     tree_->SetMade(taken, symbol, hand.made_by);
     for (const NameId tag : hand.tags) tree_->AddTag(taken, tag);
@@ -384,7 +385,9 @@ Result<ShapeIndex> RuleRunner::Place(NameId symbol, const TextRange& range, Body
                    "check its sizes, or allow more --shapes", std::nullopt},
                   *run, range);
   }
-  return tree_->Append(run->shape, hand.item(), symbol, hand.made_by, hand.tags);
+  Item item = hand.item();
+  item.anchor.reset();
+  return tree_->Append(run->shape, std::move(item), symbol, hand.made_by, hand.tags);
 }
 
 Result<void> RuleRunner::Emit(const StepPlan& step, BodyRun* run) {

@@ -151,19 +151,24 @@ Result<std::string> StartSymbol(const RuleSet& rules, const RuleSettings& settin
                                 : fmt::format("for example --start {}", symbols.front()));
 }
 
+Result<GivenValue> AttributeValue(const RuleSet& rules, const std::string& name,
+                                  const std::string& text) {
+  const auto i = AttributeNamed(rules, name);
+  if (!i) return Fail(i);
+  const ValueType type = rules.attributes[*i].value.type;
+  auto value = ValueFrom(text, type);
+  if (value) return GivenValue{*i, std::move(*value)};
+  return Fail(ErrorCode::kBadArguments, fmt::format("{} can't be '{}'", name, text),
+              fmt::format("give a {}", NameOf(type)));
+}
+
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
                                          const Item& lot, uint32_t lot_number) {
   Attributes attributes(rules, settings, lot, LotPath(settings.seed, lot_number));
   for (const auto& [name, text] : settings.attributes) {
-    const auto i = AttributeNamed(rules, name);
-    if (!i) return Fail(i);
-    const ValueType type = rules.attributes[*i].value.type;
-    auto value = ValueFrom(text, type);
-    if (!value) {
-      return Fail(ErrorCode::kBadArguments, fmt::format("{} can't be '{}'", name, text),
-                  fmt::format("give a {}", NameOf(type)));
-    }
-    attributes.Give(*i, std::move(*value));
+    auto given = AttributeValue(rules, name, text);
+    if (!given) return Fail(given);
+    attributes.Give(given->index, std::move(given->value));
   }
   return attributes.All();
 }

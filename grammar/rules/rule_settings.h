@@ -34,11 +34,20 @@ struct RuleSettings {
 /// errors  kUnknownName  no rule without parameters has it; the hint names one that is meant.
 Result<std::string> StartSymbol(const RuleSet& rules, const RuleSettings& settings);
 
+/// A setting for an attribute: which one it is, and its value.
+struct GivenValue {
+  size_t index = 0;  ///< of RuleSet::attributes
+  Value value;
+};
+/// errors  kUnknownName  no such attribute;  kBadArguments  a constant, or a value of another type.
+Result<GivenValue> AttributeValue(const RuleSet& rules, const std::string& name,
+                                  const std::string& text);
+
 /// The values of the rule set's attributes for a lot: those of the settings, else what their
 /// expressions give, each computed once. Draws by chance come from the seed, the number of the lot
 /// and the attribute's name.
-/// errors  kUnknownName  no such attribute;  kBadArguments  a constant, or a value of another type;
-///         kLimitReached  attributes that depend on each other, or functions without end.
+/// errors  those of AttributeValue;  kLimitReached  attributes that depend on each other, or
+///         functions without end.
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
                                          const Item& lot, uint32_t lot_number);
 

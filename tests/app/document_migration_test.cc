@@ -1,5 +1,5 @@
-// A document that format 1's program saved: tests/app/documents/format_1.parti, the demo's first
-// three strokes.
+// Documents that the programs of formats 1 and 2 saved, the demo's first three strokes:
+// tests/app/documents/format_1.parti and format_2.parti.
 #include "app/document_migration.h"
 
 #include <gmock/gmock.h>
@@ -72,6 +72,25 @@ TEST_F(DocumentMigrationTest, ADamagedOldDocumentIsRefusedAndStaysAsItIs) {
       EXPECT_THAT(file.error().message, HasSubstr("old.parti")) << sql;
     }
   }
+}
+
+TEST(DocumentOfFormat2, IsReadAsItIsAndBecomesANewOneWhenWritten) {
+  const std::string path = tests::TestFolder() + "/second.parti";
+  std::filesystem::copy_file(tests::SourceFile("tests/app/documents/format_2.parti"), path);
+  const auto bytes = ReadFile(path);
+  const auto old = OpenDocument(path);
+  ASSERT_TRUE(old) << FormatError(old.error());
+  EXPECT_EQ(*ReadFile(path), *bytes);
+  { ASSERT_TRUE(DocumentFile::Open(path)); }
+  auto database = Database::Open(path, Database::Mode::kRead);
+  EXPECT_EQ(*VersionOf(&*database, path), kDocumentVersion);
+  const auto document = OpenDocument(path);
+  ASSERT_TRUE(document) << FormatError(document.error());
+  EXPECT_EQ(document->history, old->history);
+  EXPECT_EQ(document->history.back(), "pick 1 comp");
+  ASSERT_EQ(document->states.size(), old->states.size());
+  EXPECT_EQ(grammar::TextOf(*PresentOf(*document).rules), grammar::TextOf(*PresentOf(*old).rules));
+  EXPECT_EQ(PresentOf(*document).ground->source, nullptr);
 }
 
 }  // namespace

@@ -232,7 +232,8 @@ std::vector<Item> TownLots(size_t count) {
 
 std::string BytesOfTown(size_t lots, int threads) {
   const auto items = TownLots(lots);
-  const auto trees = DeriveRules(RulesFrom(kTown), {}, items, {threads, nullptr, nullptr, nullptr});
+  const auto trees =
+      DeriveRules(RulesFrom(kTown), {}, items, {threads, nullptr, nullptr, nullptr, nullptr});
   EXPECT_TRUE(trees) << FormatError(trees.error());
   std::string bytes;
   for (const ShapeTree& tree : *trees) bytes += Bytes(tree);
@@ -252,8 +253,8 @@ TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameError) {
     Part --> case split.index == 137: extrude(0 * 1) X else: split(y) { 0.1: Leaf }*
   )");
   const Item lot = LotOf(20, 10)[0].item;
-  const auto one = DeriveRules(rules, {}, {&lot, 1}, {1, nullptr, nullptr, nullptr});
-  const auto two = DeriveRules(rules, {}, {&lot, 1}, {2, nullptr, nullptr, nullptr});
+  const auto one = DeriveRules(rules, {}, {&lot, 1}, {1, nullptr, nullptr, nullptr, nullptr});
+  const auto two = DeriveRules(rules, {}, {&lot, 1}, {2, nullptr, nullptr, nullptr, nullptr});
   ASSERT_FALSE(one);
   ASSERT_FALSE(two);
   EXPECT_EQ(FormatError(one.error()), FormatError(two.error()));

@@ -1,0 +1,166 @@
+#include "app/rule_source.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/json.h"
+#include "base/text_file.h"
+#include "grammar/rules/rule_text.h"
+
+namespace parti::app {
+namespace {
+
+using grammar::RuleFile;
+
+/// "towers/roof.cga" for "roof.cga" in "towers/lot.cga".
+std::string NameOf(const std::string& path, const std::string& importing) {
+  return (std::filesystem::path(importing).parent_path() / path).lexically_normal().string();
+}
+
+const RuleFile* FileNamed(const std::vector<RuleFile>& files, const std::string& name) {
+  for (const RuleFile& file : files) {
+    if (file.name == name) return &file;
+  }
+  return nullptr;
+}
+
+ParsedRules Parsed(const std::string& text, const std::string& name, const RuleSource& source,
+                   grammar::RuleImporter importer) {
+  grammar::RuleOptions options;
+  options.importer = std::move(importer);
+  options.style = source.style;
+  options.skip_unknown = source.skip_unknown;
+  options.start = source.settings.start;
+  auto rules = grammar::ParseRules(text, name, options);
+  if (!rules) return rules;
+  auto edited = grammar::WithLayers(std::move(*rules), source.layers);
+  if (!edited) return tl::unexpected<std::vector<Error>>({edited.error()});
+  return std::move(*edited);
+}
+
+Json PairsJson(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  Json list = Json::array();
+  for (const auto& [name, value] : pairs) list.push_back(Json::array({name, value}));
+  return list;
+}
+
+Json LimitsJson(const grammar::RuleLimits& limits) {
+  return {{"depth", limits.depth},
+          {"shapes", limits.shapes},
+          {"steps", limits.steps},
+          {"seconds", limits.seconds}};
+}
+
+Json LayersJson(const grammar::LayerEdits& layers) {
+  Json json = Json::object();
+  if (!layers.off.empty()) json["off"] = layers.off;
+  if (!layers.rules.empty()) json["rules"] = PairsJson(layers.rules);
+  for (const auto& [rule, order] : layers.order) json["order"].push_back({rule, order});
+  return json;
+}
+
+/// Takes a document's text apart; what is of another type than it should be throws, and is caught
+/// in RuleSourceFrom.
+RuleSource SourceFrom(const Json& json) {
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  RuleSource source;
+  for (const Json& file : json.at("files")) {
+    source.files.push_back(
+        {file.at("name").get<std::string>(), file.at("text").get<std::string>()});
+  }
+  source.style = json.value("style", "");
+  source.skip_unknown = json.value("skip_unknown", false);
+  const Json layers = json.value("layers", Json::object());
+  source.layers.off = layers.value("off", std::vector<std::string>());
+  source.layers.rules = layers.value("rules", Pairs());
+  source.layers.order =
+      layers.value("order", std::vector<std::pair<std::string, std::vector<std::string>>>());
+  source.settings.start = json.value("start", "");
+  source.settings.seed = json.value("seed", uint64_t{0});
+  source.settings.attributes = json.value("attributes", Pairs());
+  if (const auto limits = json.find("limits"); limits != json.end()) {
+    limits->at("depth").get_to(source.settings.limits.depth);
+    limits->at("shapes").get_to(source.settings.limits.shapes);
+    limits->at("steps").get_to(source.settings.limits.steps);
+    limits->at("seconds").get_to(source.settings.limits.seconds);
+  }
+  return source;
+}
+
+}  // namespace
+
+ParsedRules ReadRules(const std::string& path, RuleSource* source) {
+  const auto text = ReadFile(path);
+  if (!text) return tl::unexpected<std::vector<Error>>({text.error()});
+  const auto importer = [](const std::string& imported,
+                           const std::string& importing) -> Result<RuleFile> {
+    const std::string name = NameOf(imported, importing);
+    auto content = ReadFile(name);
+    if (!content) return Fail(content);
+    return RuleFile{name, std::move(*content)};
+  };
+  auto rules = Parsed(*text, path, *source, importer);
+  if (rules) source->files = rules->files;
+  return rules;
+}
+
+ParsedRules RulesOf(const RuleSource& source) {
+  if (source.files.empty()) {
+    return tl::unexpected<std::vector<Error>>(
+        {Error{ErrorCode::kDamagedFile, "rules without a text", "", std::nullopt}});
+  }
+  const auto importer = [&](const std::string& imported,
+                            const std::string& importing) -> Result<RuleFile> {
+    const std::string name = NameOf(imported, importing);
+    if (const RuleFile* file = FileNamed(source.files, name)) return *file;
+    return Fail(ErrorCode::kFile, fmt::format("the document has no '{}'", name));
+  };
+  return Parsed(source.files[0].text, source.files[0].name, source, importer);
+}
+
+ParsedRules RulesToWrite(const RuleSource& source) {
+  auto rules = RulesOf(source);
+  if (!rules) return rules;
+  for (const auto& [name, text] : source.settings.attributes) {
+    auto given = grammar::AttributeValue(*rules, name, text);
+    if (!given) return tl::unexpected<std::vector<Error>>({given.error()});
+    grammar::Expression value;
+    value.type = grammar::TypeOf(given->value);
+    value.constant = std::move(given->value);
+    rules->attributes[given->index].value = std::move(value);
+  }
+  if (source.settings.start.empty()) return rules;
+  for (grammar::Rule& rule : rules->rules) {
+    rule.start = rule.parameters.empty() && rule.symbol == source.settings.start;
+  }
+  return rules;
+}
+
+std::string TextOf(const RuleSource& source) {
+  Json json = Json::object();
+  for (const RuleFile& file : source.files) {
+    json["files"].push_back({{"name", file.name}, {"text", file.text}});
+  }
+  if (!source.style.empty()) json["style"] = source.style;
+  if (source.skip_unknown) json["skip_unknown"] = true;
+  if (source.layers != grammar::LayerEdits()) json["layers"] = LayersJson(source.layers);
+  const grammar::RuleSettings& settings = source.settings;
+  if (!settings.start.empty()) json["start"] = settings.start;
+  if (settings.seed != 0) json["seed"] = settings.seed;
+  if (!settings.attributes.empty()) json["attributes"] = PairsJson(settings.attributes);
+  if (settings.limits != grammar::RuleLimits()) json["limits"] = LimitsJson(settings.limits);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<RuleSource> RuleSourceFrom(std::string_view text) {
+  const auto json = ParseJson(text);
+  if (!json) return Fail(json);
+  try {
+    return SourceFrom(*json);
+  } catch (const Json::exception& error) {
+    return Fail(ErrorCode::kBadText, fmt::format("the rules can't be read: {}", error.what()));
+  }
+}
+
+}  // namespace parti::app

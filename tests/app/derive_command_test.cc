@@ -1,0 +1,155 @@
+// `parti derive` as a person runs it, and rules given to the other commands.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/text_file.h"
+#include "tests/support/program.h"
+
+namespace parti::app {
+namespace {
+
+using ::testing::HasSubstr;
+using tests::ProgramRun;
+using tests::RunParti;
+
+constexpr std::string_view kHouse = R"(attr height = 6
+@StartRule
+Lot --> extrude(height) Mass
+Mass --> comp(f) { side: Facade | top: Roof }
+Facade --> layers("floors", "door") { Floors | Door }
+Floors --> segment(y) { ~3: Floor }*
+Floor --> segment(x) { ~1: NIL | 1.2: Window | ~1: NIL }*
+Window --> extrude(0.1) Glass
+Door --> segment(x) { ~1: NIL | 1: segment(y) { 2.2: extrude(-0.2) Leaf | ~1: NIL } | ~1: NIL }
+)";
+
+std::string File(std::string_view text, const std::string& name = "/house.cga") {
+  std::string path = tests::TestFolder() + name;
+  EXPECT_TRUE(WriteFile(path, text));
+  return path;
+}
+
+nlohmann::json StatsOf(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "derive");
+  arguments.emplace_back("--stats");
+  const ProgramRun run = RunParti(arguments);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return nlohmann::json::parse(run.output);
+}
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t from = 0; from < text.size();) {
+    const size_t end = std::min(text.find('\n', from), text.size());
+    lines.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return lines;
+}
+
+size_t Selected(const std::string& file, const std::string& query,
+                std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"query", file, query});
+  return Lines(RunParti(options).output).size();
+}
+
+TEST(DeriveCommand, SaysWhatItMade) {
+  const auto stats = StatsOf({File(kHouse), "--lot", "rect(9,6)"});
+  for (const char* key : {"shapes", "terminals", "triangles", "derive_ms", "normalise_ms",
+                          "export_ms", "peak_bytes"}) {
+    ASSERT_TRUE(stats.contains(key)) << key;
+    EXPECT_GE(stats[key].get<double>(), 0) << key;
+  }
+  EXPECT_GT(stats["shapes"], stats["terminals"]);
+  EXPECT_GT(stats["triangles"], 0);
+}
+
+TEST(DeriveCommand, WritesModelsPicturesAndDocuments) {
+  const std::string folder = tests::TestFolder();
+  const ProgramRun run =
+      RunParti({"derive", File(kHouse), "--export", folder + "/a.glb", "--export",
+                folder + "/a.obj", "--png", folder + "/a.png", "--save", folder + "/a.parti"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  for (const char* name : {"/a.glb", "/a.obj", "/a.png", "/a.parti"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder + name)) << name;
+  }
+}
+
+TEST(DeriveCommand, ADocumentDerivesTheSameAgain) {
+  const std::string rules = File(kHouse), document = tests::TestFolder() + "/house.parti";
+  const std::vector<std::string> options = {"--set", "height=9", "--layers-off", "Facade.door"};
+  std::vector<std::string> save = {"derive", rules, "--save", document};
+  save.insert(save.end(), options.begin(), options.end());
+  ASSERT_EQ(RunParti(save).status, 0);
+  std::filesystem::remove(rules);
+  EXPECT_EQ(Selected(document, ".Leaf"), 0u);
+  EXPECT_EQ(RunParti({"query", document, "*"}).output,
+            RunParti([&] {
+              std::vector<std::string> query = {"query", File(kHouse), "*"};
+              query.insert(query.end(), options.begin(), options.end());
+              return query;
+            }())
+                .output);
+}
+
+TEST(DeriveCommand, RulesWrittenOutGiveTheSameModel) {
+  const std::string rules = File(kHouse), out = tests::TestFolder() + "/out.cga";
+  const ProgramRun run = RunParti({"export", rules, out, "--set", "height=9"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(RunParti({"query", out, "*"}).output,
+            RunParti({"query", rules, "*", "--set", "height=9"}).output);
+}
+
+TEST(DeriveCommand, LayersAreSwitchedOffByName) {
+  const std::string rules = File(kHouse);
+  EXPECT_EQ(Selected(rules, ".Leaf"), 4u);
+  EXPECT_EQ(Selected(rules, ".Leaf", {"--layers-off", "Facade.door"}), 0u);
+  EXPECT_EQ(Selected(rules, ".Glass", {"--layers-off", "Facade.door,Facade.floors"}), 0u);
+  const ProgramRun run = RunParti({"derive", rules, "--layers-off", "Facade.doors"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("did you mean 'Facade.door'?"));
+}
+
+TEST(DeriveCommand, TreesRunOnWhatTheRulesMade) {
+  const std::string file = File(std::string(kHouse) + "\ntree t { .Roof --> extrude(2) Attic }\n");
+  EXPECT_EQ(RunParti({"query", file, ".Roof > .Attic"}).output.size(), 6u);
+}
+
+TEST(DeriveCommand, SeveralLotsGiveSeveralTreesTheSameOnAnyNumberOfThreads) {
+  const std::string lots = File(R"({"id":"a","rings":[[[0,0],[8,0],[8,9],[0,9]]]}
+{"id":"b","rings":[[[20,0],[32,0],[32,9],[20,9]]]}
+)",
+                                "/lots.jsonl");
+  const std::string one = tests::TestFolder() + "/one.obj", two = tests::TestFolder() + "/two.obj";
+  const std::string rules = File(kHouse);
+  ASSERT_EQ(RunParti({"derive", rules, "--lot", lots, "--threads", "1", "--export", one}).status,
+            0);
+  ASSERT_EQ(RunParti({"derive", rules, "--lot", lots, "--threads", "2", "--export", two}).status,
+            0);
+  EXPECT_EQ(*ReadFile(one), *ReadFile(two));
+  EXPECT_THAT(RunParti({"query", rules, ".Roof", "--lot", lots}).output, HasSubstr("lot-1:0/"));
+}
+
+TEST(DeriveCommand, WrongOptionsSayWhatToDo) {
+  const std::string rules = File(kHouse);
+  EXPECT_THAT(RunParti({"derive", rules, "--set", "hight=2"}).errors, HasSubstr("'height'"));
+  EXPECT_THAT(RunParti({"derive", rules, "--set", "height"}).errors, HasSubstr("NAME=VALUE"));
+  EXPECT_THAT(RunParti({"derive", rules, "--start", "Lod"}).errors, HasSubstr("Lot"));
+  EXPECT_EQ(RunParti({"derive", rules, "--seed", "x"}).status, 2);
+  EXPECT_EQ(RunParti({"derive"}).status, 2);
+}
+
+TEST(DeriveCommand, LimitsAndFailuresNameThePlace) {
+  const std::string endless = File("Lot --> Lot\n");
+  const ProgramRun run = RunParti({"derive", endless, "--depth", "20"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("house.cga:1:9: error: rule Lot: Lot comes of itself"));
+  const ProgramRun empty = RunParti({"derive", File("Lot --> NIL\n", "/nil.cga")});
+  EXPECT_EQ(empty.status, 1);
+}
+
+}  // namespace
+}  // namespace parti::app
