@@ -30,7 +30,7 @@ bool IsEdge(const WorldLine& line, const std::vector<Segment3>& edges, double ne
 std::vector<Hypothesis> CompHeuristic(const Configuration& configuration, const grammar::Item& item,
                                       const HeuristicParameters& parameters) {
   const grammar::Operation* comp = grammar::FindOperation("comp");
-  if (!comp || !(comp->takes & grammar::Types(item.type)) || configuration.lines.empty()) return {};
+  if (!comp || item.type != grammar::ItemType::kVolume || configuration.lines.empty()) return {};
   const std::vector<Segment3> edges = grammar::EdgesOf(item);
   const double near_m = parameters.near_relative * DiagonalOf(item);
   const bool all_are =

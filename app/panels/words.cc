@@ -120,10 +120,12 @@ std::string Repeated(const Action& action) {
   return fmt::format("Repeat {}: {}", Along(action), Parts(action));
 }
 
-/// Of operations without words of their own: their name, with a capital, and their numbers.
+/// Of operations without words of their own: their name, with a capital, and what they were told.
 std::string Named(const Action& action) {
   std::string words = Capital(std::string(action.operation->name));
   for (size_t i = 0; i < action.arguments.size() && i < action.operation->parameters.size(); ++i) {
+    const grammar::Parameter& parameter = action.operation->parameters[i];
+    if (!parameter.required && action.arguments[i] == parameter.default_value) continue;
     if (const auto* text = std::get_if<std::string>(&action.arguments[i])) words += " " + *text;
     if (!std::holds_alternative<double>(action.arguments[i])) continue;
     const std::string unit = UnitOf(action.operation->parameters[i].kind);

@@ -15,8 +15,8 @@ using tests::ProgramRun;
 using tests::RunParti;
 
 /// A file with this text, in a folder of the test's own.
-std::string File(std::string_view text, std::string_view name = "house.cga") {
-  std::string path = tests::TestFolder() + "/" + std::string(name);
+std::string File(std::string_view text) {
+  std::string path = tests::TestFolder() + "/house.cga";
   EXPECT_TRUE(WriteFile(path, text));
   return path;
 }
@@ -38,8 +38,10 @@ TEST(CheckCommand, TellsAllErrorsWithTheirPlaces) {
 }
 
 TEST(CheckCommand, FollowsImportsBesideTheFileAndAboveIt) {
-  File("Roof --> extrude(1)\n", "roof.cga");
-  EXPECT_EQ(RunParti({"check", File("import r : \"roof.cga\"\nLot --> r.Roof\n")}).status, 0);
+  const std::string house = File("import r : \"roof.cga\"\nLot --> r.Roof\n");
+  const std::string folder = house.substr(0, house.rfind('/'));
+  ASSERT_TRUE(WriteFile(folder + "/roof.cga", "Roof --> extrude(1)\n"));
+  EXPECT_EQ(RunParti({"check", house}).status, 0);
   const ProgramRun run = RunParti({"check", File("import r : \"ruf.cga\"\nLot --> r.Roof\n")});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.errors, HasSubstr("house.cga:1:12: error: there is no file 'ruf.cga'"));
