@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "base/text_file.h"
@@ -16,9 +17,13 @@ namespace {
 
 using Float3 = std::array<float, 3>;
 
-/// A corner of one face: where it lies and where its face looks. Corners that agree are shared.
+using Float2 = std::array<float, 2>;
+
+/// A corner of one face: where it lies, where its face looks, and where it is in the image. Corners
+/// that agree are shared.
 struct Corner {
   Float3 position, normal;
+  Float2 uv;
   auto operator<=>(const Corner&) const = default;
 };
 
@@ -28,8 +33,9 @@ struct Surface {
   std::vector<uint32_t> indices;
 };
 
-/// Colour, and whether it is seen from both sides.
-using MaterialKey = std::pair<uint32_t, bool>;
+/// What tells materials apart: colour, whether both sides are seen, whether there are texture
+/// coordinates, and what a material says besides.
+using MaterialKey = std::tuple<uint32_t, bool, bool, size_t>;
 
 Float3 Floats(const Vec3& v) {
   // + 0 turns -0 into 0, so that equal corners have equal bytes.
@@ -41,7 +47,11 @@ void AddTo(const ModelPart& part, Surface* surface) {
   const WeldedPart welded = Weld(part.corners);
   std::map<Corner, uint32_t> shared;  // within a shape only: shapes stay apart
   for (size_t i = 0; i < welded.triangles.size(); ++i) {
-    const Corner corner{Floats(welded.points[welded.triangles[i]]), Floats(welded.normals[i / 3])};
+    Corner corner{Floats(welded.points[welded.triangles[i]]), Floats(welded.normals[i / 3]), {}};
+    if (!part.uvs.empty()) {
+      const Vec2 uv = part.uvs[welded.sources[i / 3] * 3 + i % 3];
+      corner.uv = {static_cast<float>(uv.x), static_cast<float>(1 - uv.y)};  // from the top down
+    }
     const auto [it, is_new] =
         shared.emplace(corner, static_cast<uint32_t>(surface->corners.size()));
     if (is_new) surface->corners.push_back(corner);
@@ -69,7 +79,7 @@ class GltfMaker {
     std::map<MaterialKey, Surface> surfaces;
     for (const size_t i : group.parts) {
       const ModelPart& part = mesh.parts[i];
-      AddTo(part, &surfaces[{part.color_rgb, !part.closed}]);
+      AddTo(part, &surfaces[KeyOf(part)]);
     }
     tinygltf::Mesh made;
     made.name = group.name;
@@ -89,12 +99,23 @@ class GltfMaker {
   size_t bytes() const { return model_.buffers[0].data.size(); }
 
  private:
+  /// Materials in the order in which they come, so that files do not depend on where they lay.
+  MaterialKey KeyOf(const ModelPart& part) {
+    size_t number = 0;
+    if (part.material) {
+      number = numbers_.emplace(part.material, numbers_.size() + 1).first->second;
+      if (number > given_.size()) given_.push_back(part.material);
+    }
+    return {part.color_rgb, !part.closed, !part.uvs.empty(), number};
+  }
+
   tinygltf::Primitive PrimitiveOf(const Surface& surface, const MaterialKey& key) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.material = MaterialOf(key);
     primitive.attributes["POSITION"] = AddVectors(surface, &Corner::position, true);
     primitive.attributes["NORMAL"] = AddVectors(surface, &Corner::normal, false);
+    if (std::get<2>(key)) primitive.attributes["TEXCOORD_0"] = AddTextureCoordinates(surface);
     const int view = AddView(surface.indices.data(), surface.indices.size() * sizeof(uint32_t),
                              TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     primitive.indices = AddAccessor(view, surface.indices.size(), TINYGLTF_TYPE_SCALAR,
@@ -112,6 +133,15 @@ class GltfMaker {
         AddAccessor(view, values.size(), TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT);
     if (with_bounds) SetBounds(values, &model_.accessors.back());
     return index;
+  }
+
+  int AddTextureCoordinates(const Surface& surface) {
+    std::vector<Float2> values;
+    values.reserve(surface.corners.size());
+    for (const Corner& corner : surface.corners) values.push_back(corner.uv);
+    const int view =
+        AddView(values.data(), values.size() * sizeof(Float2), TINYGLTF_TARGET_ARRAY_BUFFER);
+    return AddAccessor(view, values.size(), TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT);
   }
 
   static void SetBounds(const std::vector<Float3>& values, tinygltf::Accessor* accessor) {
@@ -153,23 +183,56 @@ class GltfMaker {
   int MaterialOf(const MaterialKey& key) {
     const auto [it, is_new] = materials_.emplace(key, static_cast<int>(model_.materials.size()));
     if (!is_new) return it->second;
+    const auto [color, two_sided, textured, number] = key;
+    const grammar::Material* given = number > 0 ? given_[number - 1].get() : nullptr;
     constexpr uint32_t kPaperWhite = 0xEDEBE6;  // what pictures give shapes without a colour
-    const uint32_t rgb = key.first ? key.first : kPaperWhite;
+    const bool has_image = textured && given && given->image;
+    const uint32_t rgb = color ? color : has_image ? 0xFFFFFF : kPaperWhite;
+    const std::string plain = color ? fmt::format("color_{:06X}", rgb) : "plain";
     tinygltf::Material material;
-    material.name = fmt::format("{}{}", key.first ? fmt::format("color_{:06X}", rgb) : "plain",
-                                key.second ? "_two_sided" : "");
-    material.doubleSided = key.second;
+    material.name = fmt::format("{}{}", given && !given->name.empty() ? given->name : plain,
+                                two_sided ? "_two_sided" : "");
+    material.doubleSided = two_sided;
     auto& surface = material.pbrMetallicRoughness;
+    const double opacity = given ? given->opacity : 1;
     surface.baseColorFactor = {LinearFromSrgb(rgb >> 16 & 255), LinearFromSrgb(rgb >> 8 & 255),
-                               LinearFromSrgb(rgb & 255), 1};
-    surface.metallicFactor = 0;
-    surface.roughnessFactor = 0.9;
+                               LinearFromSrgb(rgb & 255), opacity};
+    if (opacity < 1) material.alphaMode = "BLEND";
+    surface.metallicFactor = given ? given->metallic : 0;
+    surface.roughnessFactor = given ? given->roughness : 0.9;
+    if (has_image) surface.baseColorTexture.index = TextureOf(given->image);
     model_.materials.push_back(std::move(material));
+    return it->second;
+  }
+
+  /// The image's bytes lie in the buffer, so that the file stands alone.
+  int TextureOf(const std::shared_ptr<const grammar::Image>& image) {
+    const auto [it, is_new] = textures_.emplace(image, static_cast<int>(model_.textures.size()));
+    if (!is_new) return it->second;
+    std::vector<unsigned char>& bytes = model_.buffers[0].data;
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = bytes.size();
+    view.byteLength = image->bytes.size();
+    bytes.insert(bytes.end(), image->bytes.begin(), image->bytes.end());
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    model_.bufferViews.push_back(std::move(view));
+    tinygltf::Image made;
+    made.name = image->name;
+    made.mimeType = image->bytes.starts_with("\x89PNG") ? "image/png" : "image/jpeg";
+    made.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
+    model_.images.push_back(std::move(made));
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model_.images.size()) - 1;
+    model_.textures.push_back(std::move(texture));
     return it->second;
   }
 
   tinygltf::Model model_;
   std::map<MaterialKey, int> materials_;
+  std::map<std::shared_ptr<const grammar::Material>, size_t> numbers_;
+  std::vector<std::shared_ptr<const grammar::Material>> given_;  ///< by number, from 1
+  std::map<std::shared_ptr<const grammar::Image>, int> textures_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/utf8.h"
+#include "grammar/item_surface.h"
 
 namespace parti::app {
 namespace {
@@ -69,12 +70,12 @@ ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees) {
   for (const grammar::ShapeTree* tree : trees) {
     for (const grammar::ShapeIndex i : tree->Leaves()) {
       const grammar::Shape& shape = (*tree)[i];
-      ModelPart part{std::string(tree->Name(shape.symbol)),
-                     shape.item.color_rgb,
-                     shape.item.type == grammar::ItemType::kVolume,
-                     {}};
-      grammar::TrianglesOf(shape.item, &part.corners);
-      mesh.parts.push_back(std::move(part));
+      const bool closed = grammar::IsClosedBody(shape.item);
+      for (grammar::SurfacePart& surface : grammar::SurfaceOf(shape.item)) {
+        mesh.parts.push_back({std::string(tree->Name(shape.symbol)), surface.color_rgb, closed,
+                              std::move(surface.corners), std::move(surface.uvs),
+                              std::move(surface.material)});
+      }
     }
   }
   return mesh;
@@ -99,6 +100,7 @@ WeldedPart Weld(const std::vector<Vec3>& corners) {
     if (!(length > 0)) continue;
     part.triangles.insert(part.triangles.end(), at.begin(), at.end());
     part.normals.push_back(normal / length);
+    part.sources.push_back(static_cast<uint32_t>(i / 3));
   }
   return part;
 }

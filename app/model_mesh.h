@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,13 +13,15 @@
 
 namespace parti::app {
 
-/// One visible shape.
+/// What is alike of one visible shape: mostly all of it, of assets the faces of one material.
 struct ModelPart {
   std::string symbol;      ///< "" where it has none
   uint32_t color_rgb = 0;  ///< 0xRRGGBB; 0: none given
-  bool closed = false;     ///< a watertight body; else seen from both sides
+  bool closed = false;     ///< of a watertight body; else seen from both sides
   std::vector<Vec3>
       corners;  ///< triangles, three by three, counter-clockwise from outside; m, y up
+  std::vector<Vec2> uvs = {};  ///< one a corner, (0, 0) the image's lower left; none: not textured
+  std::shared_ptr<const grammar::Material> material = nullptr;  ///< null: plain
 };
 
 /// Parts in the depth-first order of their trees.
@@ -36,6 +39,7 @@ struct WeldedPart {
   std::vector<Vec3> points;         ///< in the order in which triangles name them first
   std::vector<uint32_t> triangles;  ///< three indices each; those without area are left out
   std::vector<Vec3> normals;        ///< one a triangle, unit length
+  std::vector<uint32_t> sources;    ///< one a triangle: which of the part's it was
 };
 
 inline constexpr double kWeld_m = 1e-5;

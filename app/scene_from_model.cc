@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/crease_lines.h"
+#include "grammar/item_surface.h"
 
 namespace parti::app {
 namespace {
@@ -51,16 +52,16 @@ void AddSegments(const std::vector<Segment3>& segments, render::Lines* lines) {
 void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
               const DrawingStyle& style) {
   std::vector<Segment3> edges;
-  std::vector<Vec3> corners;
   for (const grammar::ShapeIndex i : tree.Leaves()) {
     const grammar::Shape& shape = tree[i];
-    corners.clear();
-    grammar::TrianglesOf(shape.item, &corners);
-    render::Faces faces{{corners.begin(), corners.end()},
-                        ColorOf(shape.item, tree.Name(shape.symbol), style),
-                        first_id + i,
-                        shape.item.type == ItemType::kVolume};
-    scene->faces.push_back(std::move(faces));
+    for (const grammar::SurfacePart& part : grammar::SurfaceOf(shape.item)) {
+      Item worn = shape.item;
+      worn.color_rgb = part.color_rgb;
+      scene->faces.push_back({{part.corners.begin(), part.corners.end()},
+                              ColorOf(worn, tree.Name(shape.symbol), style),
+                              first_id + i,
+                              grammar::IsClosedBody(shape.item)});
+    }
     const std::vector<Segment3> own = grammar::EdgesOf(shape.item);
     edges.insert(edges.end(), own.begin(), own.end());
   }

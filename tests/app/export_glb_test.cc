@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/text_file.h"
+#include "grammar/asset.h"
 #include "tests/app/sample_models.h"
 
 namespace parti::app {
@@ -208,6 +209,41 @@ TEST(ExportGlb, FilesThatCannotBeWrittenAreErrors) {
   const auto exported = ExportGltf(Sample(), GltfForm::kBinary, "/no/such/folder/house.glb");
   ASSERT_FALSE(exported);
   EXPECT_EQ(exported.error().code, ErrorCode::kFile);
+}
+
+/// A wall of 2 x 1 m that wears an image.
+ModelMesh Papered() {
+  grammar::Item wall;
+  wall.scope.size = Vec3(2, 1, 0);
+  grammar::Material material;
+  material.name = "bricks";
+  material.opacity = 0.5;
+  const auto image = grammar::ImageFrom(
+      ReadFile(std::string(PARTI_SOURCE_DIR) + "/assets/models/bricks.png").value_or(""),
+      "bricks.png");
+  EXPECT_TRUE(image);
+  material.image = std::make_shared<const grammar::Image>(*image);
+  grammar::Paint paint{std::make_shared<const grammar::Material>(material),
+                       grammar::TextureMap{Vec3(0.5, 0, 0), Vec3(0, 1, 0), Vec2(0, 0)},
+                       std::nullopt};
+  wall.paint = std::make_shared<const grammar::Paint>(paint);
+  return ModelMeshFrom(grammar::ShapeTree(wall, "Wall"));
+}
+
+TEST(ExportGlb, CarriesImagesAndTextureCoordinates) {
+  const auto bytes = GltfBytes(Papered(), GltfForm::kBinary);
+  ASSERT_TRUE(bytes) << FormatError(bytes.error());
+  // Read as an asset, and so all the way round.
+  const auto asset = grammar::AssetFromGltf(*bytes, "wall.glb", [](const std::string& name) {
+    return Result<std::string>(Fail(ErrorCode::kFile, name));
+  });
+  ASSERT_TRUE(asset) << FormatError(asset.error());
+  ASSERT_EQ(asset->mesh->paints.size(), 1u);
+  const grammar::Paint& worn = asset->mesh->paints[0];
+  EXPECT_EQ(worn.material->image->bytes, Papered().parts[0].material->image->bytes);
+  EXPECT_NEAR(worn.material->opacity, 0.5, 1e-6);
+  EXPECT_NEAR(glm::distance(worn.map->At(Vec3(1, 1, 0)), Vec2(1, 1)), 0, 1e-6);
+  EXPECT_EQ(*bytes, GltfBytes(Papered(), GltfForm::kBinary).value_or("")) << "the same each time";
 }
 
 }  // namespace

@@ -57,6 +57,27 @@ TEST(ExportObj, GroupsAreSymbolsAndMaterialsAreColours) {
   EXPECT_NEAR(read.materials[1].diffuse[0], 0xC8 / 255.0, 1e-4);
 }
 
+TEST(ExportObj, ImagesLieBesideTheFileAndCornersSayWhereInThem) {
+  grammar::Item wall;
+  wall.scope.size = Vec3(2, 1, 0);
+  grammar::Material material;
+  material.name = "bricks";
+  material.image = std::make_shared<const grammar::Image>(grammar::Image{"bricks.png", "PNG"});
+  wall.paint = std::make_shared<const grammar::Paint>(grammar::Paint{
+      std::make_shared<const grammar::Material>(material),
+      grammar::TextureMap{Vec3(0.5, 0, 0), Vec3(0, 1, 0), Vec2(0, 0)}, std::nullopt});
+  const ModelMesh mesh = ModelMeshFrom(grammar::ShapeTree(wall, "Wall"));
+  const ReadObj read = Load(*ObjTextOf(mesh, "wall.mtl"));
+  ASSERT_EQ(read.materials.size(), 1u);
+  EXPECT_EQ(read.materials[0].diffuse_texname, "bricks.png");
+  EXPECT_EQ(read.attributes.texcoords.size(), 2 * 4u);
+  const auto folder = std::filesystem::temp_directory_path() / "parti_obj_images";
+  std::filesystem::create_directories(folder);
+  ASSERT_TRUE(ExportObj(mesh, (folder / "wall.obj").string()));
+  EXPECT_EQ(ReadFile((folder / "bricks.png").string()).value_or(""), "PNG");
+  std::filesystem::remove_all(folder);
+}
+
 TEST(ExportObj, NormalsAgreeWithWindingAndBodiesAreClosedAndOutward) {
   const ReadObj read = Load(*ObjTextOf(Sample(), "house.mtl"));
   const std::vector<Vec3> points = read.points();
