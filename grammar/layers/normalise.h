@@ -40,12 +40,12 @@ struct NormalisedScene {
 ///          Order: a later layer lies over an earlier one; in a layer a smaller depth lies over a
 ///          larger one; of equals the later of `shapes` lies over the earlier.
 /// pieces   have the axes of the planar shape, the origin in the lower left corner of their
-/// bounding
-///          rectangle and its size (errata 3); color of their shape; neither layer nor depth.
-///          Rectangles that nothing covers keep their very numbers.
-/// areas    below 1e-9 of the scene's, and pieces narrower than SceneTolerance, are none (errata
-/// 5). errors   kDegenerateGeometry  a polygon that is not simple. cost     O(n log n) and the
-/// pairs of shapes that overlap.
+///          bounding rectangle and its size (errata 3); color of their shape; neither layer nor
+///          depth. Rectangles that nothing covers keep their very numbers.
+/// areas    below 1e-9 of the scene's, and pieces narrower than SceneTolerance, are none
+///          (errata 5).
+/// errors   kDegenerateGeometry  a polygon that is not simple.
+/// cost     O(n log n) and the pairs of shapes that overlap.
 Result<NormalisedScene> Normalise(ShapeTree* tree, ShapeIndex planar,
                                   std::span<const ShapeIndex> shapes);
 
