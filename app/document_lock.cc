@@ -49,24 +49,29 @@ std::optional<FileIdentity> IdentityOf(int fd) {
 /// that gives up SQLite's locks on the file.
 class OwnLocks {
  public:
-  static void Add(const FileIdentity& file) {
+  void Add(const FileIdentity& file) {
     const std::lock_guard lock(mutex_);
     files_.emplace_back(file);
   }
-  static void Remove(const FileIdentity& file) {
+  void Remove(const FileIdentity& file) {
     const std::lock_guard lock(mutex_);
     const auto at = std::find(files_.begin(), files_.end(), file);
     if (at != files_.end()) files_.erase(at);
   }
-  static bool Has(const std::optional<FileIdentity>& file) {
+  bool Has(const std::optional<FileIdentity>& file) {
     const std::lock_guard lock(mutex_);
     return file && std::find(files_.begin(), files_.end(), *file) != files_.end();
   }
 
  private:
-  inline static std::mutex mutex_;
-  inline static std::vector<FileIdentity> files_;
+  std::mutex mutex_;
+  std::vector<FileIdentity> files_;
 };
+
+OwnLocks& Own() {
+  static OwnLocks locks;
+  return locks;
+}
 
 /// "Parti (process 4711)", as far as can be told.
 std::string OwnerOf(int fd) {
@@ -93,7 +98,7 @@ Result<DocumentLock> DocumentLock::Take(const std::string& path) {
   if (::fcntl(fd, F_OFD_SETLK, &wanted) == 0) {
     struct flock owner = Lock(kOwnerByte);
     ::fcntl(fd, F_SETLK, &owner);  // only tells the name: no matter if it fails
-    OwnLocks::Add(lock.identity_);
+    Own().Add(lock.identity_);
     lock.locked_ = true;
     return lock;
   }
@@ -108,7 +113,7 @@ Result<DocumentLock> DocumentLock::Take(const std::string& path) {
 }
 
 std::optional<std::string> DocumentLock::HolderOf(const std::string& path) {
-  if (OwnLocks::Has(IdentityOf(path))) return "this Parti";
+  if (Own().Has(IdentityOf(path))) return "this Parti";
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return std::nullopt;
   struct flock asked = Lock(kLockByte);
@@ -133,7 +138,7 @@ DocumentLock& DocumentLock::operator=(DocumentLock&& other) noexcept {
 }
 
 DocumentLock::~DocumentLock() {
-  if (locked_) OwnLocks::Remove(identity_);
+  if (locked_) Own().Remove(identity_);
   if (fd_ >= 0) ::close(fd_);
 }
 

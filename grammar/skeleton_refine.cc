@@ -9,9 +9,9 @@ namespace parti::grammar {
 namespace {
 
 /// Nodes nearer than this many cells along an edge, once they are where the edges say, are one.
-constexpr double kJoin_cells = 2;
+constexpr double kJoinCells = 2;
 /// Nodes move by at most this many cells.
-constexpr double kMove_cells = 2000;
+constexpr double kMoveCells = 2000;
 /// Weights of staying where one is, against 1 for each plane: the first by which a node does not
 /// move too far. Along nearly parallel fronts it is badly determined, and stays.
 constexpr double kHolds[] = {1e-7, 1e-4, 1e-1};
@@ -128,9 +128,9 @@ void Refine(const Polygon& polygon, double grid_m, Skeleton* skeleton) {
   // Near the origin: map coordinates would cost the sums their digits.
   const Vec2 origin = corners[0];
   const std::vector<Front> fronts = FrontsOf(polygon, origin);
-  MoveNodes(fronts, origin, corners.size(), kMove_cells * grid_m, skeleton);
-  JoinNodes(corners.size(), kJoin_cells * grid_m, skeleton);
-  MoveNodes(fronts, origin, corners.size(), kJoin_cells * grid_m, skeleton);
+  MoveNodes(fronts, origin, corners.size(), kMoveCells * grid_m, skeleton);
+  JoinNodes(corners.size(), kJoinCells * grid_m, skeleton);
+  MoveNodes(fronts, origin, corners.size(), kJoinCells * grid_m, skeleton);
 }
 
 }  // namespace parti::grammar

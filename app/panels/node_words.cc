@@ -106,9 +106,7 @@ std::vector<WordPick> WordPicksOf(const grammar::Action& action) {
       pick.choices = {{"yes", "yes", true}, {"no", "no", false}};
     } else if (pick.is_color) {
       for (const Swatch& s : kSwatches) pick.choices.push_back({s.name, "", std::string(s.color)});
-    } else if (is_text && parameter.words.size() == 1) {
-      continue;
-    } else if (is_text) {
+    } else if (is_text && parameter.words.size() != 1) {
       for (const auto& word : parameter.words) {
         pick.choices.push_back({std::string(word), std::string(word), std::string(word)});
       }
