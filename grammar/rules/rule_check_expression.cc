@@ -127,12 +127,6 @@ MaybeType RuleChecker::ResolveOperator(const WrittenExpression& written, const E
   expression->symbol = written.name;
   const std::string& symbol = written.name;
   const bool is_logic = symbol == "!" || symbol == "&&" || symbol == "||";
-  const bool is_cut_short = written.operands.size() == 1 && symbol != "-" && symbol != "!";
-  if (is_cut_short) {  // after an error that was told: the second operand is not there
-    MaybeType type;
-    expression->operands.push_back(Resolve(written.operands[0], {{}, "operand", symbol}, &type));
-    return std::nullopt;
-  }
   const std::string_view comparisons = "== != <= >= < >";
   if (!is_logic && comparisons.find(symbol) != std::string_view::npos) {
     return ResolveComparison(written, expression);

@@ -30,9 +30,11 @@ bool RuleParser::ReadCases(WrittenBody* body) {
     auto& alternative = body->alternatives.emplace_back();
     first_ = false;
     if (!ReadExpression(&alternative.condition.emplace_back()) ||
-        !Expect(':', "':' after the condition") || !ReadChosen(&alternative)) {
+        !Expect(':', "':' after the condition")) {
+      body->alternatives.pop_back();  // a part of a value is none
       return false;
     }
+    if (!ReadChosen(&alternative)) return false;
   }
   return ReadElse() && ReadChosen(&body->alternatives.emplace_back());
 }
@@ -42,9 +44,11 @@ bool RuleParser::ReadChances(WrittenBody* body) {
   while (AtWeight()) {
     auto& alternative = body->alternatives.emplace_back();
     first_ = false;
-    if (!ReadWeight(&alternative.condition.emplace_back()) || !ReadChosen(&alternative)) {
+    if (!ReadWeight(&alternative.condition.emplace_back())) {
+      body->alternatives.pop_back();
       return false;
     }
+    if (!ReadChosen(&alternative)) return false;
   }
   if (!lexer_.AtWord("else")) return true;
   return ReadElse() && ReadChosen(&body->alternatives.emplace_back());

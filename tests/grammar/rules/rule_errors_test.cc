@@ -137,6 +137,16 @@ TEST(RuleErrors, ChancesAndCasesHaveAnElse) {
   EXPECT_THAT(ErrorOf("attr a = 101%: 1 else: 2"), HasSubstr("a weight of 101 %"));
 }
 
+TEST(RuleErrors, AConditionThatBreaksOffIsToldOnce) {
+  for (const char* condition :
+       {"!true || ", "a + ", "(case", "(case true: 1", "f(", "-", "1 <", "\"a\" + (50%:"}) {
+    EXPECT_THAT(WrongWith(fmt::format("A --> case {}: B else: C", condition)), SizeIs(1))
+        << condition;
+    EXPECT_THAT(WrongWith(fmt::format("attr v = {}", condition)), SizeIs(1)) << condition;
+    EXPECT_THAT(WrongWith(fmt::format("A --> extrude({}", condition)), SizeIs(1)) << condition;
+  }
+}
+
 TEST(RuleErrors, UnknownThingsOnceEachWithTheCountOfTheirPlaces) {
   const char* text =
       "@Wobbly attr a = 1\nA --> envelope(a) B envelope(a) trim() C\nB --> envelope(2) "
