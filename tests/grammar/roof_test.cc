@@ -43,7 +43,7 @@ TEST(RoofHip, OverARectangleHasFourPlanesAndABottom) {
   EXPECT_EQ(roof.facing, lot.facing);
   EXPECT_EQ(roof.mesh->faces.size(), 5u);
   EXPECT_EQ(OpenEdges(*roof.mesh), 0);
-  EXPECT_NEAR(VolumeOf(roof), 8 * 12 * 6 / 2 + 12 * 12 * 6 / 3.0, 1e-6);
+  EXPECT_NEAR(VolumeOf(roof), 8.0 * 12 * 6 / 2 + 12.0 * 12 * 6 / 3, 1e-6);
   EXPECT_EQ(Faces(roof, Kind::kBottom).size(), 1u);
   EXPECT_EQ(Faces(roof, Kind::kTop).size(), 4u);  // 45 degrees look up
 }

@@ -8,7 +8,6 @@
 namespace parti::grammar::tests {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 constexpr double kHalfTurn = 3.141592653589793;

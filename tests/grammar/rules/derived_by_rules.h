@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,7 +67,8 @@ inline std::vector<std::string> Visible(const ShapeTree& tree) {
 inline std::string Bytes(const ShapeTree& tree) {
   std::string text;
   const auto add = [&](const auto& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    const auto bytes = std::as_bytes(std::span(&value, 1));
+    text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   };
   const auto add_vec = [&](const Vec3& v) { add(v.x), add(v.y), add(v.z); };
   for (ShapeIndex i = 0; i < tree.size(); ++i) {

@@ -7,7 +7,6 @@
 namespace parti::grammar::tests {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -187,8 +186,8 @@ TEST(RuleErrors, ImportsThatLeadNowhere) {
 TEST(RuleErrors, ManyImportsOfManyAreRefused) {
   std::map<std::string, std::string> files;
   for (int i = 0; i < 20; ++i) {
-    const std::string next = fmt::format("\"{}.cga\"\n", i + 1);
-    files[fmt::format("{}.cga", i)] = "import a : " + next + "import b : " + next;
+    files[fmt::format("{}.cga", i)] =
+        fmt::format("import a : \"{0}.cga\"\nimport b : \"{0}.cga\"\n", i + 1);
   }
   files["20.cga"] = "A --> NIL";
   RuleOptions options;

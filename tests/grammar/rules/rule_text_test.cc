@@ -14,7 +14,6 @@ namespace parti::grammar::tests {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(RuleText, ReadsPlainCga) {

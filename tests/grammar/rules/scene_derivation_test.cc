@@ -12,7 +12,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::UnorderedElementsAre;
 
 /// Area by symbol of what is visible: "background" for what has that tag.
 double AreaOfAll(const ShapeTree& tree, std::string_view symbol) {
