@@ -172,8 +172,9 @@ void Application::TakeSnapshot() {
   auto newest = session_->Newest();
   if (newest == snapshot_) return;
   if (newest->document.path != snapshot_->document.path) folders_.Ask(listed_);
-  const bool other_view = !(newest->state->camera == snapshot_->state->camera);
   snapshot_ = std::move(newest);
+  // Not only since the last snapshot: that one may have been busy with what came after the view.
+  const bool other_view = !(snapshot_->state->camera == told_);
   if (options_.on_snapshot) options_.on_snapshot(*snapshot_);
   // A bookmark, an opened document: the session looks from elsewhere, and nobody has moved since.
   if (other_view && snapshot_->executed >= posted_ && !looking_.moving()) {
