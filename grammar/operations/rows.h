@@ -9,6 +9,7 @@ namespace parti::grammar {
 extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
     kSegment, kVectorial, kSetProperty;
 extern const Operation kRoofHip, kRoofGable, kRoofPyramid, kRoofShed, kTaper;
+extern const Operation kSetback, kShapeL, kShapeU, kShapeO, kInnerRectangle;
 extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, kCube, kSphere,
     kCylinder, kCone, kQuad, kDisk, kTexture, kSetupProjection, kProjectUv, kSetMaterial;
 
@@ -16,7 +17,6 @@ extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, k
 inline constexpr ItemTypes kSurfaced = Types(ItemType::kVolume, ItemType::kPlanar);
 inline constexpr ItemTypes kMovable =
     Types(ItemType::kVolume, ItemType::kPlanar, ItemType::kEdge, ItemType::kPoint);
-extern const Operation kSetback, kShapeL, kShapeU, kShapeO, kInnerRectangle;
 
 /// The first successor whose selector is `kind`; -1 when there is none or it makes nothing (NIL).
 /// Only for actions without repeat groups.
