@@ -71,7 +71,7 @@ std::string FormText(const Operation& row) {
   return repeats ? text + "*" : text;
 }
 
-std::string SectionText(const Operation& row) {
+std::string SectionText(const Operation& row, const std::string& example) {
   std::string text = fmt::format("## {}\n\n`{}`\n\n{}\n\n", row.name, FormText(row), row.doc);
   if (!row.parameters.empty()) {
     text += "| argument | values | default | meaning |\n| --- | --- | --- | --- |\n";
@@ -89,16 +89,18 @@ std::string SectionText(const Operation& row) {
   text += row.in_place
               ? fmt::format("\nChanges a {} in place; makes no child.", TypesText(row.takes))
               : fmt::format("\nTakes {}; gives {}.", TypesText(row.takes), TypesText(row.gives));
-  return text + fmt::format(" In queries: `{}`. Source: {}.\n\n", row.word, row.source);
+  text += fmt::format(" In queries: `{}`. Source: {}.\n\n", row.word, row.source);
+  return text + fmt::format("```cga\n{0}```\n\n![{1}](operations/{1}.png)\n\n", example, row.name);
 }
 
 }  // namespace
 
-std::string OperationsManual() {
+std::string OperationsManual(const std::function<std::string(std::string_view name)>& example) {
   std::string text =
       "# Operations\n\nWritten from the operation table by the tests; see [shapes.md](shapes.md) "
-      "for scopes, sizes and offsets in full.\n\n";
-  for (const Operation& row : Operations()) text += SectionText(row);
+      "for scopes, sizes and offsets in full. The picture of an operation shows what its rules "
+      "make of the lot in their first line.\n\n";
+  for (const Operation& row : Operations()) text += SectionText(row, example(row.name));
   text.pop_back();
   return text;
 }

@@ -47,7 +47,11 @@ PictureDifference Compare(const Image& made, const Image& golden,
 }
 
 void ExpectGolden(const Image& image, const std::string& name, const GoldenTolerance& tolerance) {
-  const std::string base = SourceFile("tests/golden/" + name);
+  ExpectPicture(image, "tests/golden/" + name, tolerance);
+}
+
+void ExpectPicture(const Image& image, const std::string& path, const GoldenTolerance& tolerance) {
+  const std::string base = SourceFile(path);
   if (Updating()) return Save(image, base + ".png");
   const Result<Image> golden = render::ReadPng(base + ".png");
   if (!golden) {
@@ -60,12 +64,12 @@ void ExpectGolden(const Image& image, const std::string& name, const GoldenToler
   if (difference.same_size && static_cast<double>(difference.pixels) <= allowed) return;
   Save(image, base + ".out.png");
   if (!difference.same_size) {
-    ADD_FAILURE() << name << ": " << image.width << " x " << image.height << " px, the golden "
+    ADD_FAILURE() << path << ": " << image.width << " x " << image.height << " px, the golden "
                   << golden->width << " x " << golden->height << "; see " << base << ".out.png";
     return;
   }
   Save(difference.marked, base + ".diff.png");
-  ADD_FAILURE() << name << ": " << difference.pixels << " pixels differ, " << allowed
+  ADD_FAILURE() << path << ": " << difference.pixels << " pixels differ, " << allowed
                 << " may; see " << base << ".out.png and .diff.png";
 }
 

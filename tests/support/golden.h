@@ -1,4 +1,4 @@
-// Golden pictures: tests/golden/NAME.png compared with what was drawn.
+// Golden pictures: tests/golden/NAME.png, or those of a document, compared with what was drawn.
 // Any kind of picture; drawing them is their tests'.
 #pragma once
 
@@ -31,5 +31,8 @@ PictureDifference Compare(const render::Image& made, const render::Image& golden
 /// in the environment the golden picture is written instead: look at it before committing it.
 void ExpectGolden(const render::Image& image, const std::string& name,
                   const GoldenTolerance& tolerance = {});
+/// The same for PATH.png of the project, "docs/operations/extrude".
+void ExpectPicture(const render::Image& image, const std::string& path,
+                   const GoldenTolerance& tolerance = {});
 
 }  // namespace parti::tests
