@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/length_text.h"
+#include "app/rule_source.h"
+#include "base/json.h"
 
 namespace parti::app {
 namespace {
@@ -107,6 +109,26 @@ Result<Command> ParseSetNumber(const Words& words) {
   return SetNumber{std::string(dial), *value};
 }
 
+Result<Command> ParseRuleText(const Words& words) {
+  const auto text = [](const Json& object, const char* key) -> const std::string* {
+    const auto found = object.find(key);
+    return found != object.end() ? found->get_ptr<const std::string*>() : nullptr;
+  };
+  const auto json = words.rest.empty() ? Json() : ParseJson(words.rest);
+  if (!json) return Fail(json);
+  if (json->is_object() && text(*json, "file") != nullptr && text(*json, "text") != nullptr) {
+    return SetRuleText{*text(*json, "file"), *text(*json, "text")};
+  }
+  return Usage(R"~(rule-text {"file":"house.cga","text":"Lot --> extrude(9)"})~");
+}
+
+Result<Command> ParseLayers(const Words& words) {
+  if (words.rest.empty()) return Usage(R"(layers {"off":["Facade.door"]})");
+  auto layers = LayerEditsFrom(words.rest);
+  if (!layers) return Fail(layers);
+  return EditLayers{std::move(*layers)};
+}
+
 Result<Command> ParseTake(const Words& words) {
   if (words.items.size() != 2) return Usage("take 0/1");
   if (words.items[1] == kNone) return Take{};
@@ -200,6 +222,8 @@ constexpr std::array kRows = {
         [](const Words& w) {
           return OfRest<Rewrite>(w, "rewrite tree house { .Lot --> extrude(9) Mass }");
         }},
+    Row{"rule-text", ParseRuleText},
+    Row{"layers", ParseLayers},
     Row{"take", ParseTake},
     Row{"switch", ParseSwitch},
     Row{"move", ParseMove},

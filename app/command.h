@@ -11,6 +11,7 @@
 #include "app/node_path.h"
 #include "base/camera.h"
 #include "base/error.h"
+#include "grammar/rules/layer_edits.h"
 
 namespace parti::app {
 
@@ -74,6 +75,21 @@ struct AddNode {
 struct Rewrite {
   std::string text;
   bool operator==(const Rewrite&) const = default;
+};
+
+/// "rule-text {"file":"house.cga","text":"Lot --> extrude(9)"}": another text in the place of one
+/// of the rule files that the building is made by; RuleFile::name names it. Bytes that are no UTF-8
+/// become U+FFFD in the line.
+struct SetRuleText {
+  std::string file, text;
+  bool operator==(const SetRuleText&) const = default;
+};
+
+/// "layers {"off":["Facade.door"],"order":[["Facade",["door","floors"]]]}": what is off, in another
+/// order or of another rule, of all layers of the rule files; "layers {}": none.
+struct EditLayers {
+  grammar::LayerEdits layers;
+  bool operator==(const EditLayers&) const = default;
 };
 
 /// "take 0/2": the node in hand, which name, query and set act on; "take none": none is.
@@ -160,8 +176,8 @@ struct Redo {
 
 using Command =
     std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery, SetNumber,
-                 AddNode, Rewrite, Take, Switch, Move, Delete, AddTree, RenameTree, KeepView,
-                 GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
+                 AddNode, Rewrite, SetRuleText, EditLayers, Take, Switch, Move, Delete, AddTree,
+                 RenameTree, KeepView, GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
 
 /// Looking and taking a node in hand change nothing that undo would bring back.
 bool IsLooking(const Command& command);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/command.h"
+#include "app/rule_source.h"
+#include "base/json.h"
 
 namespace parti::app {
 namespace {
@@ -12,6 +14,12 @@ struct Overloaded : Cases... {
 };
 template <typename... Cases>  // clang 16 can't work it out
 Overloaded(Cases...) -> Overloaded<Cases...>;
+
+/// On one line; what is no UTF-8 can't stand in JSON.
+std::string LineOf(const SetRuleText& command) {
+  const Json json = {{"file", command.file}, {"text", command.text}};
+  return "rule-text " + json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -37,6 +45,8 @@ std::string TextOf(const Command& command) {
           [](const SetNumber& c) { return fmt::format("set {} {}", c.dial, c.value); },
           [](const AddNode& c) { return "node " + c.text; },
           [](const Rewrite& c) { return "rewrite " + c.text; },
+          [](const SetRuleText& c) { return LineOf(c); },
+          [](const EditLayers& c) { return "layers " + TextOf(c.layers); },
           [](const Take& c) { return "take " + (c.path.empty() ? "none" : PathText(c.path)); },
           [](const Switch& c) {
             return fmt::format("switch {} {}", PathText(c.path), c.on ? "on" : "off");

@@ -60,6 +60,19 @@ Json LayersJson(const grammar::LayerEdits& layers) {
   return json;
 }
 
+grammar::LayerEdits LayersFrom(const Json& json) {
+  grammar::LayerEdits layers;
+  layers.off = json.value("off", std::vector<std::string>());
+  layers.rules = json.value("rules", std::vector<std::pair<std::string, std::string>>());
+  layers.order =
+      json.value("order", std::vector<std::pair<std::string, std::vector<std::string>>>());
+  return layers;
+}
+
+std::string Dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// Takes a document's text apart; what is of another type than it should be throws, and is caught
 /// in RuleSourceFrom.
 RuleSource SourceFrom(const Json& json) {
@@ -71,11 +84,7 @@ RuleSource SourceFrom(const Json& json) {
   }
   source.style = json.value("style", "");
   source.skip_unknown = json.value("skip_unknown", false);
-  const Json layers = json.value("layers", Json::object());
-  source.layers.off = layers.value("off", std::vector<std::string>());
-  source.layers.rules = layers.value("rules", Pairs());
-  source.layers.order =
-      layers.value("order", std::vector<std::pair<std::string, std::vector<std::string>>>());
+  source.layers = LayersFrom(json.value("layers", Json::object()));
   source.settings.start = json.value("start", "");
   source.settings.seed = json.value("seed", uint64_t{0});
   source.settings.attributes = json.value("attributes", Pairs());
@@ -137,6 +146,24 @@ ParsedRules RulesToWrite(const RuleSource& source) {
   return rules;
 }
 
+std::string TextOf(const grammar::LayerEdits& layers) { return Dumped(LayersJson(layers)); }
+
+Result<grammar::LayerEdits> LayerEditsFrom(std::string_view text) {
+  const auto json = ParseJson(text);
+  if (!json) return Fail(json);
+  if (!json->is_object()) return Fail(ErrorCode::kBadText, "layers are an object: {}");
+  for (const auto& [key, value] : json->items()) {
+    if (key == "off" || key == "rules" || key == "order") continue;
+    return Fail(ErrorCode::kBadText, fmt::format("layers have no '{}'", key),
+                "they have off, rules and order");
+  }
+  try {
+    return LayersFrom(*json);
+  } catch (const Json::exception& error) {
+    return Fail(ErrorCode::kBadText, fmt::format("the layers can't be read: {}", error.what()));
+  }
+}
+
 std::string TextOf(const RuleSource& source) {
   Json json = Json::object();
   for (const RuleFile& file : source.files) {
@@ -150,7 +177,7 @@ std::string TextOf(const RuleSource& source) {
   if (settings.seed != 0) json["seed"] = settings.seed;
   if (!settings.attributes.empty()) json["attributes"] = PairsJson(settings.attributes);
   if (settings.limits != grammar::RuleLimits()) json["limits"] = LimitsJson(settings.limits);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Dumped(json);
 }
 
 Result<RuleSource> RuleSourceFrom(std::string_view text) {

@@ -38,6 +38,12 @@ ParsedRules RulesOf(const RuleSource& source);
 /// errors  as ReadRules', and those of grammar::AttributeValue.
 ParsedRules RulesToWrite(const RuleSource& source);
 
+/// {"off":["Facade.door"],"rules":[["Facade.door","Gate"]],"order":[["Facade",["door","floors"]]]},
+/// on one line; what is empty is left out.
+std::string TextOf(const grammar::LayerEdits& layers);
+/// errors  kBadText  also what else stands there. Property: (1) LayerEditsFrom(TextOf(l)) is l.
+Result<grammar::LayerEdits> LayerEditsFrom(std::string_view text);
+
 /// {"files":[{"name","text"}],"start",…}; what has its usual value is left out.
 std::string TextOf(const RuleSource& source);
 /// errors  kBadText. Property: (1) RuleSourceFrom(TextOf(s)) is s.

@@ -7,6 +7,7 @@
 
 #include "app/edit_nodes.h"
 #include "app/lot_from_stroke.h"
+#include "app/rule_edits.h"
 #include "app/sketch_reading.h"
 #include "base/check.h"
 #include "grammar/operation.h"
@@ -216,6 +217,29 @@ Result<SessionState> Do(const Rewrite& command, SessionState state, const Sessio
   if (state.in_hand.empty() || !CheckNode(*trees, state.in_hand)) state.in_hand.clear();
   state.just_made = false;
   return WithRules(std::move(state), std::move(*trees));
+}
+
+/// The state with a model on other ground; the shapes in hand stay so, where they are still there.
+Result<SessionState> WithGround(SessionState state, EditedModel model) {
+  if (!model) return tl::unexpected<Error>(AsOne(model.error()));
+  state.selection = SelectionOf(*model, KeptShapes(state.model, state.selection.shapes, *model));
+  state.model = std::move(*model);
+  state.sketch = {};
+  if (!state.in_hand.empty() && !CheckNode(state.model.trees(), state.in_hand)) {
+    state.in_hand.clear();
+    state.just_made = false;
+  }
+  return state;
+}
+
+Result<SessionState> Do(const SetRuleText& command, SessionState state, const SessionOptions&) {
+  auto model = WithRuleText(state.model, command);
+  return WithGround(std::move(state), std::move(model));
+}
+
+Result<SessionState> Do(const EditLayers& command, SessionState state, const SessionOptions&) {
+  auto model = WithLayerEdits(state.model, command);
+  return WithGround(std::move(state), std::move(model));
 }
 
 Result<SessionState> Do(const Take& command, SessionState state, const SessionOptions&) {

@@ -19,6 +19,10 @@ TEST(CommandTest, EveryCommandReadsBackAsWritten) {
                            "set sizes[1] 2.75",
                            "node .Glass --> color(\"#7f9db5\")",
                            "rewrite tree house { .Lot --> extrude(9) Mass }",
+                           R"~(rule-text {"file":"a b.cga","text":"// ü\nLot --> extrude(9)\n"})~",
+                           "layers {}",
+                           R"(layers {"off":["Facade.door"],"order":[["Facade",["door"]]],)"
+                           R"("rules":[["Facade.door","Gate"]]})",
                            "clear",
                            "undo",
                            "redo",
@@ -75,11 +79,31 @@ TEST(CommandTest, IncompleteCommandsShowAnExample) {
                            "move 0/1 0/2", "move 0/1",        "delete",
                            "tree",         "rename-tree 1",   "rename-tree 0/1 x",
                            "keep-view",    "go-view",         "drop-view",
-                           "erase",        "select"}) {
+                           "erase",        "select",          "rule-text",
+                           "rule-text {}", "rule-text 3",     "layers"}) {
     const auto command = ParseCommand(line);
     ASSERT_FALSE(command) << line;
     EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;
     EXPECT_THAT(command.error().hint, HasSubstr("for example")) << line;
+  }
+}
+
+TEST(CommandTest, ATextComesBackAsItWasOnOneLine) {
+  const SetRuleText command{"house.cga", "Lot -->\t\"a\\b\"\r\n\n \x01 // 窓 "};
+  const std::string line = TextOf(command);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const auto back = ParseCommand(line);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(std::get<SetRuleText>(*back), command);
+}
+
+TEST(CommandTest, LayersThatAreNoLayersAreRefused) {
+  for (const char* line : {"layers 3", "layers {\"of\":[]}", "layers {\"off\":\"Facade.door\"}",
+                           "layers {\"order\":[[\"Facade\"]]}", "layers {\"rules\":[[1,2]]}",
+                           "layers {\"off\"", "rule-text {\"file\":\"a\",\"text\":3}"}) {
+    const auto command = ParseCommand(line);
+    ASSERT_FALSE(command) << line;
+    EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;
   }
 }
 

@@ -1,0 +1,100 @@
+#include "app/rule_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace parti::app {
+namespace {
+
+using Failed = tl::unexpected<std::vector<Error>>;
+
+Error NoFiles() {
+  return {ErrorCode::kNothingMade, "this building is not made by rule files",
+          "make one of a rule file: parti derive house.cga --save house.parti", std::nullopt};
+}
+
+Error NoSuchFile(const RuleSource& source, const std::string& name) {
+  std::vector<std::string> names;
+  for (const grammar::RuleFile& file : source.files) names.push_back(file.name);
+  const auto meant = DidYouMean(name, names);
+  return {ErrorCode::kUnknownName, fmt::format("the building has no rule file '{}'", name),
+          meant ? fmt::format("did you mean '{}'?", *meant)
+                : fmt::format("files are {}", fmt::join(names, ", ")),
+          std::nullopt};
+}
+
+/// The model on the ground that another source makes of its lots.
+EditedModel Remade(const Model& model, RuleSource source) {
+  const auto rules = RulesOf(source);
+  if (!rules) return Failed(rules.error());
+  // The old texts were read before; where they can't be any more, the trees stay.
+  const auto old_rules = RulesOf(*model.ground->source);
+  const bool other_trees = old_rules && old_rules->trees != rules->trees;
+  auto ground =
+      GroundOf(model.lots(), std::make_shared<const RuleSource>(std::move(source)), *rules);
+  if (!ground) return Failed({ground.error()});
+  auto trees = other_trees ? std::make_shared<const grammar::Trees>(rules->trees) : model.rules;
+  auto made = Derived(std::move(*ground), std::move(trees), nullptr, grammar::Unfit::kSkip);
+  if (!made) return Failed({made.error()});
+  return std::move(*made);
+}
+
+/// The shape of the same id and symbol.
+std::optional<ShapeRef> SameIn(const Model& after, const Model& before, const ShapeRef& ref) {
+  const auto same = RefAt(after, IdOf(before, ref));
+  if (!same) return std::nullopt;
+  const auto symbol = [](const Model& model, const ShapeRef& r) {
+    return model.derived[r.lot]->tree.Name(ShapeAt(model, r).symbol);
+  };
+  return symbol(before, ref) == symbol(after, *same) ? std::optional(*same) : std::nullopt;
+}
+
+std::string PlacedMessage(const Error& error) {
+  if (!error.place) return error.message;
+  return fmt::format("{}:{}: {}", error.place->line, error.place->column, error.message);
+}
+
+}  // namespace
+
+EditedModel WithRuleText(const Model& model, const SetRuleText& edit) {
+  if (!model.ground->source) return Failed({NoFiles()});
+  RuleSource source = *model.ground->source;
+  const auto file =
+      std::find_if(source.files.begin(), source.files.end(),
+                   [&](const grammar::RuleFile& one) { return one.name == edit.file; });
+  if (file == source.files.end()) return Failed({NoSuchFile(source, edit.file)});
+  file->text = edit.text;
+  return Remade(model, std::move(source));
+}
+
+EditedModel WithLayerEdits(const Model& model, const EditLayers& edit) {
+  if (!model.ground->source) return Failed({NoFiles()});
+  RuleSource source = *model.ground->source;
+  source.layers = edit.layers;
+  return Remade(model, std::move(source));
+}
+
+std::vector<ShapeRef> KeptShapes(const Model& before, const std::vector<ShapeRef>& shapes,
+                                 const Model& after) {
+  std::vector<ShapeRef> kept;
+  for (ShapeRef ref : shapes) {
+    std::optional<ShapeRef> same = SameIn(after, before, ref);
+    while (!same && ShapeAt(before, ref).parent != grammar::kNoShape) {
+      ref.shape = ShapeAt(before, ref).parent;
+      if (ShapeAt(before, ref).parent != grammar::kNoShape) same = SameIn(after, before, ref);
+    }
+    if (same && std::find(kept.begin(), kept.end(), *same) == kept.end()) kept.push_back(*same);
+  }
+  return kept;
+}
+
+Error AsOne(const std::vector<Error>& errors) {
+  Error all = errors.front();
+  for (size_t i = 1; i < errors.size(); ++i) {
+    all.message += fmt::format("; {}", PlacedMessage(errors[i]));
+  }
+  return all;
+}
+
+}  // namespace parti::app
