@@ -122,10 +122,11 @@ Result<Lot> LotFrom(const Footprint& footprint, const Vec3& origin) {
   return LotFrom(rings, footprint.name, Vec2(origin));
 }
 
-Result<std::vector<Lot>> LotsOf(const std::string& path, std::vector<Error>* refused) {
-  const auto text = ReadFile(path);
-  if (!text) return Fail(text);
-  const auto footprints = FootprintsFrom(*text, path);
+}  // namespace
+
+Result<std::vector<Lot>> LotsFrom(std::string_view text, std::string_view file,
+                                  std::vector<Error>* refused) {
+  const auto footprints = FootprintsFrom(text, file);
   if (!footprints) return Fail(footprints);
   const Vec3 origin = OriginOf(*footprints);
   std::vector<Lot> lots;
@@ -136,7 +137,7 @@ Result<std::vector<Lot>> LotsOf(const std::string& path, std::vector<Error>* ref
       lots.push_back(std::move(*lot));
     } else {
       Error& error = bad.emplace_back(lot.error());
-      error.message = fmt::format("{}: lot '{}': {}", path, footprint.name, error.message);
+      error.message = fmt::format("{}: lot '{}': {}", file, footprint.name, error.message);
     }
   }
   if (!bad.empty() && (refused == nullptr || lots.empty())) {
@@ -145,8 +146,6 @@ Result<std::vector<Lot>> LotsOf(const std::string& path, std::vector<Error>* ref
   if (refused != nullptr) *refused = std::move(bad);
   return lots;
 }
-
-}  // namespace
 
 Result<std::vector<Lot>> ParseLots(std::string_view text, std::vector<Error>* refused) {
   Lexer lexer(text, kPlace);
@@ -160,7 +159,10 @@ Result<std::vector<Lot>> ParseLots(std::string_view text, std::vector<Error>* re
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return Fail(ErrorCode::kBadText, "no lot is given", std::string(kHint));
   }
-  return LotsOf(std::string(text), refused);
+  const std::string path(text);
+  const auto contents = ReadFile(path);
+  if (!contents) return Fail(contents);
+  return LotsFrom(*contents, path, refused);
 }
 
 }  // namespace parti::app

@@ -32,4 +32,8 @@ inline constexpr double kWidestLot_m = 1e5;
 ///         lot in the file;  kFile.
 Result<std::vector<Lot>> ParseLots(std::string_view text, std::vector<Error>* refused = nullptr);
 
+/// The same for the text of such a file; `file` is for messages.
+Result<std::vector<Lot>> LotsFrom(std::string_view text, std::string_view file,
+                                  std::vector<Error>* refused = nullptr);
+
 }  // namespace parti::app
