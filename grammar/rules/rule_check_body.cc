@@ -31,6 +31,7 @@ Body RuleChecker::Resolve(const WrittenBody& written) {
   Body body;
   body.kind = written.kind;
   body.range = written.range;
+  CheckBrackets(written.statements);
   for (const WrittenStatement& statement : written.statements) {
     auto resolved = Resolve(statement);
     const bool is_pop = resolved && resolved->kind == Statement::Kind::kPop;
@@ -55,6 +56,24 @@ Body RuleChecker::Resolve(const WrittenBody& written) {
   }
   if (body.kind == Body::Kind::kChance) CheckWeights(&body);
   return body;
+}
+
+void RuleChecker::CheckBrackets(const std::vector<WrittenStatement>& statements) {
+  std::vector<TextRange> open;
+  for (const WrittenStatement& statement : statements) {
+    if (statement.kind == WrittenStatement::Kind::kPush) open.push_back(statement.range);
+    if (statement.kind != WrittenStatement::Kind::kPop) continue;
+    if (open.empty()) {
+      Report(statement.range, ErrorCode::kBadText, "']' closes nothing",
+             "[ before it keeps the shape that ] goes back to");
+    } else {
+      open.pop_back();
+    }
+  }
+  for (const TextRange& range : open) {
+    Report(range, ErrorCode::kBadText, "'[' is never closed",
+           "] goes back to the shape as it was, within the same braces");
+  }
 }
 
 void RuleChecker::CheckWeights(Body* body) {

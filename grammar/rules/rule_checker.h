@@ -70,6 +70,7 @@ class RuleChecker {
 
   // rule_check_body.cc: bodies, statements, symbols
   Body Resolve(const WrittenBody& written);
+  void CheckBrackets(const std::vector<WrittenStatement>& statements);
   void CheckWeights(Body* body);
   std::optional<Statement> Resolve(const WrittenStatement& written);
   std::optional<Statement> ResolveSymbol(const WrittenStatement& written);

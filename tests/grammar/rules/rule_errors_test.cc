@@ -60,6 +60,13 @@ TEST(RuleErrors, AForgottenBraceEndsAtTheNextRule) {
             "2:1 expected '|' or '}', got 'B'");
 }
 
+TEST(RuleErrors, BracketsThatStandAlone) {
+  EXPECT_THAT(WrongWith("A --> X ] Y\nB --> split(x) { ~1: [ X | ~1: [ X ] ] Y }\n"),
+              ElementsAre(StartsWith("1:9 ']' closes nothing"),
+                          StartsWith("2:22 '[' is never closed"),
+                          StartsWith("2:38 ']' closes nothing")));
+}
+
 TEST(RuleErrors, SuggestWhatWasMeant) {
   EXPECT_THAT(ErrorOf("A --> extrud(3)"), HasSubstr("did you mean 'extrude'?"));
   EXPECT_THAT(ErrorOf("Lot --> Mas\nMass --> extrude(3)"), HasSubstr("did you mean 'Mass'?"));
