@@ -45,25 +45,20 @@ ShapeTree::ShapeTree(Item lot, std::string_view symbol) : names_(std::make_share
   Shape root;
   root.item = std::move(lot);
   root.symbol = Intern(symbol);
-  WritableChunk(0).push_back(std::move(root));
-  size_ = 1;
+  Adopt(std::make_shared<Chunk>(1, std::move(root)));
 }
 
 ShapeTree::ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of) : names_(names_of.names_) {
   Shape root;
   root.item = std::move(lot);
   root.symbol = symbol;
-  WritableChunk(0).push_back(std::move(root));
-  size_ = 1;
+  Adopt(std::make_shared<Chunk>(1, std::move(root)));
 }
 
 ShapeTree::Chunk& ShapeTree::WritableChunk(uint32_t chunk) {
-  if (chunk < chunks_.size() && IsOurs(chunks_[chunk])) return *chunks_[chunk];
-  auto shapes = std::make_shared<Chunk>();
-  shapes->reserve(kChunk);
-  if (chunk == chunks_.size()) {
-    chunks_.push_back(std::move(shapes));
-  } else {
+  if (!IsOurs(chunks_[chunk])) {
+    auto shapes = std::make_shared<Chunk>();
+    if (chunk + 1 == chunks_.size()) shapes->reserve(kChunk);
     shapes->insert(shapes->end(), chunks_[chunk]->begin(), chunks_[chunk]->end());
     chunks_[chunk] = std::move(shapes);
   }
@@ -72,7 +67,31 @@ ShapeTree::Chunk& ShapeTree::WritableChunk(uint32_t chunk) {
 
 Shape& ShapeTree::Writable(ShapeIndex i) {
   CHECK(i < size_, "a shape of this tree");
-  return WritableChunk(i / kChunk)[i % kChunk];
+  const uint32_t chunk = ChunkOf(i);
+  return WritableChunk(chunk)[i - starts_[chunk]];
+}
+
+void ShapeTree::Push(Shape shape) {
+  const auto last = static_cast<uint32_t>(chunks_.size() - 1);
+  if (last == 0 || chunks_[last]->size() >= kChunk) {
+    auto chunk = std::make_shared<Chunk>();
+    chunk->reserve(kChunk);
+    chunk->push_back(std::move(shape));
+    return Adopt(std::move(chunk));
+  }
+  if (size_ % kChunk == 0) blocks_.push_back(last);
+  WritableChunk(last).push_back(std::move(shape));
+  ++size_;
+}
+
+/// A chunk of shapes with the next numbers.
+void ShapeTree::Adopt(std::shared_ptr<Chunk> chunk) {
+  const auto number = static_cast<uint32_t>(chunks_.size());
+  starts_.back() = size_;
+  starts_.push_back(kNoShape);
+  size_ += static_cast<uint32_t>(chunk->size());
+  while (blocks_.size() * kChunk < size_) blocks_.push_back(number);
+  chunks_.push_back(std::move(chunk));
 }
 
 ShapeIndex ShapeTree::Append(ShapeIndex parent, Item item, NameId symbol,
@@ -96,8 +115,7 @@ ShapeIndex ShapeTree::Append(ShapeIndex parent, Item item, NameId symbol,
     shape.ordinal = (*this)[before].ordinal + 1;
     Writable(before).next_sibling = index;
   }
-  WritableChunk(index / kChunk).push_back(std::move(shape));
-  ++size_;
+  Push(std::move(shape));
   return index;
 }
 
@@ -120,37 +138,6 @@ void ShapeTree::SetMade(ShapeIndex i, NameId symbol, const Operation* operation)
   Shape& shape = Writable(i);
   shape.symbol = symbol;
   shape.operation = operation;
-}
-
-void ShapeTree::Splice(ShapeIndex i, ShapeTree part) {
-  CHECK(IsLeaf(i), "only a leaf can be spliced");
-  CHECK(part.size_ - 1 < kNoShape - size_, "room for a part's shapes");
-  const uint32_t shift = size_ - 1;
-  const auto moved = [&](ShapeIndex of_part) {
-    return of_part == kNoShape ? kNoShape : of_part == 0 ? i : of_part + shift;
-  };
-  const bool same_names = part.names_ == names_;
-  const auto renamed = [&](NameId name) { return same_names ? name : Intern(part.Name(name)); };
-  for (ShapeIndex from = 0; from < part.size_; ++from) {
-    Shape shape = std::move(part.Writable(from));
-    shape.symbol = renamed(shape.symbol);
-    for (NameId& tag : shape.tags) tag = renamed(tag);
-    if (!same_names) std::sort(shape.tags.begin(), shape.tags.end());
-    shape.first_child = moved(shape.first_child);
-    shape.last_child = moved(shape.last_child);
-    if (from == 0) {
-      const Shape& old = (*this)[i];
-      shape.parent = old.parent;
-      shape.next_sibling = old.next_sibling;
-      shape.ordinal = old.ordinal;
-      Writable(i) = std::move(shape);
-      continue;
-    }
-    shape.parent = moved(shape.parent);
-    shape.next_sibling = moved(shape.next_sibling);
-    WritableChunk(size_ / kChunk).push_back(std::move(shape));
-    ++size_;
-  }
 }
 
 NameId ShapeTree::Intern(std::string_view name) {

@@ -38,7 +38,8 @@ struct Shape {
 };
 
 /// Shapes are numbered in creation order; a parent comes before its children; 0 is the lot.
-/// cost  a copy is one pointer per 128 shapes; a write copies at most the chunk that it lands in.
+/// cost  a copy is about one pointer per 128 shapes; a write copies at most the chunk that it lands
+///       in, which holds no more.
 /// Copies may be read and written by different threads.
 class ShapeTree {
  public:
@@ -47,7 +48,10 @@ class ShapeTree {
   ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of);
 
   uint32_t size() const { return size_; }
-  const Shape& operator[](ShapeIndex i) const { return (*chunks_[i / kChunk])[i % kChunk]; }
+  const Shape& operator[](ShapeIndex i) const {
+    const uint32_t chunk = ChunkOf(i);
+    return (*chunks_[chunk])[i - starts_[chunk]];
+  }
 
   /// Appends a child as its parent's last; returns its index.
   ShapeIndex Append(ShapeIndex parent, Item item, NameId symbol, const Operation* operation,
@@ -59,9 +63,11 @@ class ShapeTree {
   void Hide(ShapeIndex i);
   /// Its symbol, and the operation that made it what it now is.
   void SetMade(ShapeIndex i, NameId symbol, const Operation* operation);
-  /// Puts a tree in the place of shape i: its root's values become those of i, the rest its
-  /// descendants, in the order of their numbers. i must be a leaf.
-  void Splice(ShapeIndex i, ShapeTree part);
+  struct Part;
+  /// Puts each tree in the place of a shape: its root's values become those of the shape, the rest
+  /// its descendants, in the order of the parts and of their numbers. The shapes are different
+  /// leaves. cost  linear, on the threads of the caller's oneTBB arena.
+  void Splice(std::vector<Part> parts);
 
   /// kNoName for the empty name.
   NameId Intern(std::string_view name);
@@ -90,12 +96,33 @@ class ShapeTree {
     std::vector<std::string> texts;
     std::unordered_map<std::string, NameId> ids;
   };
+  struct Move;
+  struct Move;
+
+  /// Most chunks are full, so that the first one looked at is nearly always the one.
+  uint32_t ChunkOf(ShapeIndex i) const {
+    uint32_t chunk = blocks_[i / kChunk];
+    while (starts_[chunk + 1] <= i) ++chunk;
+    return chunk;
+  }
   Chunk& WritableChunk(uint32_t chunk);
   Shape& Writable(ShapeIndex i);
+  void Push(Shape shape);
+  void Adopt(std::shared_ptr<Chunk> chunk);
+  Move MoveOf(Part* part, uint32_t base);
+  void MoveRoot(Move* move);
 
-  std::vector<std::shared_ptr<Chunk>> chunks_;
+  std::vector<std::shared_ptr<Chunk>> chunks_;  ///< the first one holds the lot alone
+  std::vector<ShapeIndex> starts_{kNoShape};    ///< first number of each chunk; then kNoShape
+  std::vector<uint32_t> blocks_;                ///< the chunk of every kChunk-th number
   uint32_t size_ = 0;
   std::shared_ptr<Names> names_;
+};
+
+/// A tree that was derived apart, and the leaf that it grew from.
+struct ShapeTree::Part {
+  ShapeIndex at = kNoShape;
+  ShapeTree tree;
 };
 
 }  // namespace parti::grammar

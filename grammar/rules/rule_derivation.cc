@@ -6,18 +6,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <deque>
 #include <optional>
 #include <utility>
 
-#include "grammar/rules/rule_runner.h"
-#include "grammar/rules/rule_scene.h"
+#include "grammar/rules/rule_parts.h"
 
 namespace parti::grammar {
 namespace {
-
-/// A lot is derived breadth first until so many shapes wait: they are what threads share out.
-constexpr size_t kFrontier = 64;
 
 class LotDerivation {
  public:
@@ -27,74 +22,32 @@ class LotDerivation {
         limits_(settings.limits),
         number_(number),
         run_{program,           lot_,          attributes_,         limits_, settings.seed,
-             threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}},
-        tree_(lot, program.names[0].symbol, program.names) {}
+             threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}} {}
 
   Result<ShapeTree> Run(const RuleSettings& settings, bool at_once) {
     auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_);
     if (!attributes) return Fail(attributes);
     attributes_ = std::move(*attributes);
     if (run_.now_s != nullptr) run_.until_s = run_.now_s() + limits_.seconds;
-    if (const auto done = Widen(settings.seed); !done) return Fail(done);
-    const auto done = at_once ? DeriveAtOnce() : DeriveInOrder();
+    ShapeTree tree = Root();
+    if (at_once && DeriveAtOnce(run_, &tree, First())) return tree;
+    // One after the other, failures and limits name the same shape on any number of threads.
+    tree = Root();
+    const auto done = DeriveInOrder(run_, &tree, First());
     if (!done) return Fail(done);
-    return std::move(tree_);
+    return tree;
   }
 
  private:
-  /// Breadth first, up to the frontier.
-  Result<void> Widen(uint64_t seed) {
-    RuleRunner runner(run_, &tree_);
-    RuleTask root;
-    root.body = &run_.program.bodies[run_.program.start];
-    root.stream = Stream(LotPath(seed, number_));
-    waiting_.push_back(std::move(root));
-    std::vector<RuleTask> next;
-    while (!waiting_.empty() && waiting_.size() < kFrontier) {
-      RuleTask task = std::move(waiting_.front());
-      waiting_.pop_front();
-      next.clear();
-      if (const auto done = RunWithScene(std::move(task), &runner, &next); !done) return done;
-      std::move(next.begin(), next.end(), std::back_inserter(waiting_));
-    }
-    return {};
+  ShapeTree Root() const {
+    return ShapeTree(lot_, run_.program.names[0].symbol, run_.program.names);
   }
 
-  Result<void> DeriveInOrder() {
-    RuleRunner runner(run_, &tree_);
-    for (RuleTask& task : waiting_) {
-      if (const auto done = RunAll(std::move(task), &runner); !done) return done;
-    }
-    return {};
-  }
-
-  /// Each task in a tree of its own; then all in order into the lot's tree.
-  Result<void> DeriveAtOnce() {
-    std::vector<std::optional<ShapeTree>> parts(waiting_.size());
-    std::atomic<bool> has_failed = false;
-    tbb::parallel_for(size_t{0}, waiting_.size(), [&](size_t i) {
-      if (has_failed.load(std::memory_order_relaxed)) return;
-      RuleTask task = waiting_[i];
-      const Shape& shape = tree_[task.shape];
-      ShapeTree part(shape.item, shape.symbol, tree_);
-      part.SetMade(0, shape.symbol, shape.operation);
-      for (const NameId tag : shape.tags) part.AddTag(0, tag);
-      task.shape = 0;
-      RuleRunner runner(run_, &part);
-      if (RunAll(std::move(task), &runner)) {
-        parts[i] = std::move(part);
-      } else {
-        has_failed = true;
-      }
-    });
-    uint64_t total = tree_.size();
-    for (const auto& part : parts) total += part ? part->size() - 1 : 0;
-    // One after the other, failures and limits name the same shape on any number of threads.
-    if (has_failed || total > limits_.shapes) return DeriveInOrder();
-    for (size_t i = 0; i < parts.size(); ++i) {
-      tree_.Splice(waiting_[i].shape, std::move(*parts[i]));
-    }
-    return {};
+  RuleTask First() const {
+    RuleTask first;
+    first.body = &run_.program.bodies[run_.program.start];
+    first.stream = Stream(LotPath(run_.seed, number_));
+    return first;
   }
 
   const Item& lot_;
@@ -102,8 +55,6 @@ class LotDerivation {
   uint32_t number_;
   std::vector<Value> attributes_;
   LotRun run_;
-  ShapeTree tree_;
-  std::deque<RuleTask> waiting_;
 };
 
 bool IsSomethingVisible(const std::vector<ShapeTree>& trees) {

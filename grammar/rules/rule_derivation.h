@@ -1,5 +1,5 @@
 // Derivation by rules: every shape whose symbol has a rule is derived until only terminals are left
-// (Jesus 2018, 4.4). Lots, and within a lot the shapes of a fixed frontier, are derived at the same
+// (Jesus 2018, 4.4). Lots, and within a lot the shapes that wait, are derived at the same
 // time. What one shape's rule does is rule_runner.h's.
 #pragma once
 

@@ -178,18 +178,4 @@ Result<void> RunWithScene(RuleTask task, RuleRunner* runner, std::vector<RuleTas
   return {};
 }
 
-Result<void> RunAll(RuleTask task, RuleRunner* runner) {
-  std::vector<RuleTask> stack, next;
-  stack.push_back(std::move(task));
-  while (!stack.empty()) {
-    RuleTask one = std::move(stack.back());
-    stack.pop_back();
-    next.clear();
-    if (const auto done = RunWithScene(std::move(one), runner, &next); !done) return done;
-    stack.insert(stack.end(), std::make_move_iterator(next.rbegin()),
-                 std::make_move_iterator(next.rend()));
-  }
-  return {};
-}
-
 }  // namespace parti::grammar

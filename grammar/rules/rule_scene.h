@@ -15,7 +15,4 @@ namespace parti::grammar {
 /// normalisation, naming the planar shape.
 Result<void> RunWithScene(RuleTask task, RuleRunner* runner, std::vector<RuleTask>* next);
 
-/// The same with everything that comes of it, depth first.
-Result<void> RunAll(RuleTask task, RuleRunner* runner);
-
 }  // namespace parti::grammar

@@ -1,5 +1,6 @@
 #include "grammar/shape_tree.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
@@ -27,6 +28,53 @@ TEST(ShapeTree, LeavesAreDepthFirst) {
   const ShapeIndex a0 = tree.Append(a, {}, kNoName, nullptr);
   const ShapeIndex a1 = tree.Append(a, {}, kNoName, nullptr);
   EXPECT_THAT(tree.Leaves(), ElementsAre(a0, a1, b0));
+}
+
+/// `count` shapes below its root, each the child of the one at half its number.
+ShapeTree Grown(uint32_t count, std::string_view symbol) {
+  ShapeTree tree(Item{}, symbol);
+  for (uint32_t i = 0; i < count; ++i) {
+    tree.Append(i / 2, {}, tree.Intern(fmt::format("{}{}", symbol, i)), nullptr);
+  }
+  return tree;
+}
+
+/// All of a tree below shape i, in order, with names.
+std::string Told(const ShapeTree& tree, ShapeIndex i) {
+  std::string text(tree.Name(tree[i].symbol));
+  for (ShapeIndex c = tree[i].first_child; c != kNoShape; c = tree[c].next_sibling) {
+    EXPECT_EQ(tree[c].parent, i);
+    text += "(" + Told(tree, c) + ")";
+  }
+  return text;
+}
+
+TEST(ShapeTree, PartsTakeTheirPlacesWhateverTheirSizes) {
+  ShapeTree tree = Grown(200, "tree");
+  const ShapeTree before = tree;
+  std::vector<ShapeTree::Part> parts;
+  std::vector<std::string> told;
+  const std::vector<uint32_t> sizes = {0, 3, 500, 1, 47, 48, 128, 129, 2, 1000};
+  uint32_t all = tree.size();
+  for (size_t i = 0; i < sizes.size(); ++i) {
+    ShapeTree part = Grown(sizes[i], "part");
+    told.push_back(Told(part, 0));
+    all += sizes[i];
+    parts.push_back({static_cast<ShapeIndex>(150 + 3 * i), std::move(part)});
+  }
+  tree.Splice(std::move(parts));
+  EXPECT_EQ(tree.size(), all);
+  for (size_t i = 0; i < sizes.size(); ++i) {
+    const auto at = static_cast<ShapeIndex>(150 + 3 * i);
+    EXPECT_EQ(Told(tree, at), told[i]) << sizes[i];
+    EXPECT_EQ(tree[at].parent, before[at].parent);
+    EXPECT_EQ(tree[at].next_sibling, before[at].next_sibling);
+  }
+  for (ShapeIndex i = 1; i < all; ++i) EXPECT_LT(tree[i].parent, i);
+  EXPECT_EQ(Told(before, 0), Told(Grown(200, "tree"), 0)) << "a copy stays as it was";
+  const ShapeIndex last = tree.Append(180, {}, tree.Intern("after"), nullptr);
+  EXPECT_EQ(tree.Name(tree[last].symbol), "after");
+  EXPECT_EQ(tree[last].parent, 180u);
 }
 
 TEST(ShapeTree, IdsArePathsOfChildNumbers) {

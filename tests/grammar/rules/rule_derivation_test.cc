@@ -229,10 +229,11 @@ std::vector<Item> TownLots(size_t count) {
   return lots;
 }
 
-std::string BytesOfTown(size_t lots, int threads) {
+std::string BytesOf(std::string_view rules, size_t lots, int threads,
+                    const RuleSettings& settings = {}) {
   const auto items = TownLots(lots);
   const auto trees =
-      DeriveRules(RulesFrom(kTown), {}, items, {threads, nullptr, nullptr, nullptr, nullptr});
+      DeriveRules(RulesFrom(rules), settings, items, {threads, nullptr, nullptr, nullptr, nullptr});
   EXPECT_TRUE(trees) << FormatError(trees.error());
   std::string bytes;
   for (const ShapeTree& tree : *trees) bytes += Bytes(tree);
@@ -241,9 +242,37 @@ std::string BytesOfTown(size_t lots, int threads) {
 
 TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameBytes) {
   for (const size_t lots : {1u, 3u, 60u}) {
-    const std::string one = BytesOfTown(lots, 1);
-    for (const int threads : {2, 3, 8}) EXPECT_EQ(BytesOfTown(lots, threads), one) << lots;
+    const std::string one = BytesOf(kTown, lots, 1);
+    for (const int threads : {2, 3, 8}) EXPECT_EQ(BytesOf(kTown, lots, threads), one) << lots;
   }
+}
+
+TEST(RuleDerivation, ThreadsShareOutPartsOfPartsLargeAndSmall) {
+  constexpr std::string_view kChain = R"(
+    Lot     --> Stairs(200)
+    Stairs(n) --> case n > 0: split(x) { '0.01: Row | '0.01: split(y) { ~1: Brick }* | ~1: Stairs(n - 1) }
+                  else: Top
+    Row     --> split(y) { ~0.4: 50%: Brick else: split(x) { ~1: Brick | ~1: tag("small") Stone } }*
+    Brick   --> extrude(0.1) Body
+  )";
+  const std::string one = BytesOf(kChain, 1, 1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(BytesOf(kChain, 1, threads), one);
+}
+
+TEST(RuleDerivation, LimitsAreThoseOfAllPartsTogether) {
+  const auto error = [](int threads) {
+    RuleSettings settings;
+    settings.limits.shapes = 3000;
+    const Item lot = LotOf(300, 30)[0].item;
+    const RuleSet rules = RulesFrom(
+        "Lot --> split(x) { 1: Row }*  Row --> split(y) { 1: Tile }* "
+        "Tile --> extrude(1) Stone");
+    const auto trees =
+        DeriveRules(rules, settings, {&lot, 1}, {threads, nullptr, nullptr, nullptr, nullptr});
+    return trees ? std::string() : FormatError(trees.error());
+  };
+  EXPECT_THAT(error(1), HasSubstr("more than 3000 shapes"));
+  EXPECT_EQ(error(2), error(1));
 }
 
 TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameError) {

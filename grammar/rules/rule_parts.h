@@ -1,0 +1,19 @@
+// All that comes of one task, in order, or by several threads with the same result.
+// Which tasks a lot begins with, and its errors' lot, are rule_derivation.h's.
+#pragma once
+
+#include "base/error.h"
+#include "grammar/rules/rule_runner.h"
+
+namespace parti::grammar {
+
+/// Depth first, on this thread. errors  those of RunWithScene.
+Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, RuleTask first);
+
+/// The same tree, to the byte, with the help of the threads of the caller's oneTBB arena: what
+/// still waits after some hundred shapes is shared out, each shape with a tree of its own, and so
+/// again in these. False where something failed or more was made than the limits allow; what to say
+/// of it only the order tells, and the tree is of no use.
+bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first);
+
+}  // namespace parti::grammar
