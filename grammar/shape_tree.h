@@ -97,7 +97,6 @@ class ShapeTree {
     std::unordered_map<std::string, NameId> ids;
   };
   struct Move;
-  struct Move;
 
   /// Most chunks are full, so that the first one looked at is nearly always the one.
   uint32_t ChunkOf(ShapeIndex i) const {
