@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <exception>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "grammar/polygon_crossing.h"
 #include "grammar/polygon_nesting.h"
@@ -109,6 +111,26 @@ std::optional<Skeleton> FromCgal(const CgalSkeleton& given, const Gridded& gridd
   return skeleton;
 }
 
+/// Numbers the nodes inside as the faces come to them, and drops those that none does. CGAL's
+/// numbers depend on the addresses of what meets at once, and so would the order of rings and
+/// pieces.
+void NumberByFaces(size_t corners, Skeleton* skeleton) {
+  std::vector<uint32_t> number(skeleton->nodes.size(), UINT32_MAX);
+  std::iota(number.begin(), number.begin() + static_cast<ptrdiff_t>(corners), 0U);
+  std::vector<SkeletonNode> nodes(skeleton->nodes.begin(),
+                                  skeleton->nodes.begin() + static_cast<ptrdiff_t>(corners));
+  for (std::vector<uint32_t>& face : skeleton->faces) {
+    for (uint32_t& i : face) {
+      if (number[i] == UINT32_MAX) {
+        number[i] = static_cast<uint32_t>(nodes.size());
+        nodes.push_back(skeleton->nodes[i]);
+      }
+      i = number[i];
+    }
+  }
+  skeleton->nodes = std::move(nodes);
+}
+
 double AreaOf(const Skeleton& skeleton, const std::vector<uint32_t>& face) {
   Ring ring;
   ring.reserve(face.size());
@@ -137,7 +159,10 @@ std::optional<Skeleton> SkeletonOnGrid(const Polygon& polygon, double grid_m) {
   auto skeleton = FromCgal(*run, gridded);
   if (!skeleton) return std::nullopt;
   for (SkeletonNode& node : skeleton->nodes) node.at += gridded.middle;
+  const size_t corners = skeleton->faces.size();
+  NumberByFaces(corners, &*skeleton);
   Refine(polygon, gridded.grid, &*skeleton);
+  NumberByFaces(corners, &*skeleton);  // without those that were joined to others
   if (!Divides(*skeleton, polygon)) return std::nullopt;
   return skeleton;
 }
