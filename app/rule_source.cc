@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/text_file.h"
+#include "grammar/asset_library.h"
 #include "grammar/rules/rule_text.h"
 
 namespace parti::app {
@@ -13,9 +14,12 @@ namespace {
 
 using grammar::RuleFile;
 
-/// "towers/roof.cga" for "roof.cga" in "towers/lot.cga".
-std::string NameOf(const std::string& path, const std::string& importing) {
-  return (std::filesystem::path(importing).parent_path() / path).lexically_normal().string();
+/// What a file may be called that another one imports: "towers/roof.cga" for "roof.cga" in
+/// "towers/lot.cga", then "roof.cga", "../roof.cga" …
+std::vector<std::string> NamesOf(const std::string& path, const std::string& importing) {
+  std::vector<std::string> names = grammar::PathsFor(grammar::FolderOf(importing), path);
+  for (std::string& name : names) name = std::filesystem::path(name).lexically_normal().string();
+  return names;
 }
 
 const RuleFile* FileNamed(const std::vector<RuleFile>& files, const std::string& name) {
@@ -104,10 +108,11 @@ ParsedRules ReadRules(const std::string& path, RuleSource* source) {
   if (!text) return tl::unexpected<std::vector<Error>>({text.error()});
   const auto importer = [](const std::string& imported,
                            const std::string& importing) -> Result<RuleFile> {
-    const std::string name = NameOf(imported, importing);
-    auto content = ReadFile(name);
-    if (!content) return Fail(content);
-    return RuleFile{name, std::move(*content)};
+    const std::vector<std::string> names = NamesOf(imported, importing);
+    for (const std::string& name : names) {
+      if (auto content = ReadFile(name)) return RuleFile{name, std::move(*content)};
+    }
+    return Fail(ReadFile(names.front()));
   };
   auto rules = Parsed(*text, path, *source, importer);
   if (rules) source->files = rules->files;
@@ -121,9 +126,11 @@ ParsedRules RulesOf(const RuleSource& source) {
   }
   const auto importer = [&](const std::string& imported,
                             const std::string& importing) -> Result<RuleFile> {
-    const std::string name = NameOf(imported, importing);
-    if (const RuleFile* file = FileNamed(source.files, name)) return *file;
-    return Fail(ErrorCode::kFile, fmt::format("the document has no '{}'", name));
+    const std::vector<std::string> names = NamesOf(imported, importing);
+    for (const std::string& name : names) {
+      if (const RuleFile* file = FileNamed(source.files, name)) return *file;
+    }
+    return Fail(ErrorCode::kFile, fmt::format("the document has no '{}'", names.front()));
   };
   return Parsed(source.files[0].text, source.files[0].name, source, importer);
 }

@@ -24,9 +24,9 @@ struct RuleSource {
 
 using ParsedRules = tl::expected<grammar::RuleSet, std::vector<Error>>;
 
-/// Reads a file and what it imports, relative to the file that imports; source->files become all of
-/// them. The settings are checked when a lot is derived.
-/// errors  kFile;  those of grammar::ParseRules and WithLayers, all of them.
+/// Reads a file and what it imports, beside the file that imports it or in the folders above
+/// (grammar::PathsFor); source->files become all of them. The settings are checked when a lot is
+/// derived. errors  kFile;  those of grammar::ParseRules and WithLayers, all of them.
 ParsedRules ReadRules(const std::string& path, RuleSource* source);
 
 /// The rules of a source that was read before: no file is looked at.

@@ -7,6 +7,23 @@
 namespace parti::grammar {
 namespace {
 
+/// "rules" of "rules/a", "" of "rules", ".." of "", "../.." of "..".
+std::string FolderAbove(const std::string& folder) {
+  if (folder.empty()) return "..";
+  if (folder == ".." || folder.ends_with("/..")) return folder + "/..";
+  return std::string(FolderOf(folder));
+}
+
+/// The first that can be had; the error of the first path where none can.
+Result<std::shared_ptr<const Asset>> FirstOf(const std::vector<std::string>& paths,
+                                             AssetLibrary* library) {
+  auto first = library->Get(paths.front());
+  for (size_t i = 1; i < paths.size() && !first && first.error().code == ErrorCode::kFile; ++i) {
+    if (auto above = library->Get(paths[i])) return above;
+  }
+  return first;
+}
+
 Result<void> ResolveAll(std::string_view folder, AssetLibrary* library,
                         std::vector<Successor>* successors) {
   for (Successor& successor : *successors) {
@@ -38,20 +55,31 @@ Result<std::shared_ptr<const Asset>> AssetLibrary::Get(const std::string& path) 
 
 std::string_view FolderOf(std::string_view path) {
   const size_t slash = path.rfind('/');
+  if (slash == 0) return path.substr(0, 1);
   return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
 }
 
 std::string PathBeside(std::string_view folder, std::string_view name) {
   const bool is_absolute = name.starts_with('/');
   if (folder.empty() || is_absolute) return std::string(name);
-  return std::string(folder) + "/" + std::string(name);
+  return std::string(folder) + (folder == "/" ? "" : "/") + std::string(name);
+}
+
+std::vector<std::string> PathsFor(std::string_view folder, std::string_view name) {
+  std::vector<std::string> paths = {PathBeside(folder, name)};
+  if (name.starts_with('/')) return paths;
+  for (std::string at(folder); at != "/" && paths.size() < kMostFolders;) {
+    at = FolderAbove(at);
+    paths.push_back(PathBeside(at, name));
+  }
+  return paths;
 }
 
 Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action) {
   const int file = action->operation->file;
   if (file >= 0) {
     const auto& name = std::get<std::string>(action->arguments[static_cast<size_t>(file)]);
-    auto asset = library->Get(PathBeside(folder, name));
+    auto asset = FirstOf(PathsFor(folder, name), library);
     if (!asset) return Fail(asset);
     action->asset = std::move(*asset);
   }

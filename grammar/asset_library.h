@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "grammar/action.h"
 #include "grammar/asset.h"
@@ -27,14 +28,20 @@ class AssetLibrary {
   std::map<std::string, Result<std::shared_ptr<const Asset>>> read_;
 };
 
-/// "rules" of "rules/house.cga"; "" of "house.cga".
+/// "rules" of "rules/house.cga"; "" of "house.cga"; "/" of "/house.cga".
 std::string_view FolderOf(std::string_view path);
 /// `name` as written in a file in `folder`: beside it, unless it is absolute. Slashes only.
 std::string PathBeside(std::string_view folder, std::string_view name);
+/// Where rules in `folder` mean `name` to be: beside them, else in the folders above, the nearest
+/// first; kMostFolders at most, and never none. An absolute name is itself. A pure function: no
+/// file is looked at.
+std::vector<std::string> PathsFor(std::string_view folder, std::string_view name);
+inline constexpr size_t kMostFolders = 16;
 
 /// Sets Action::asset of every action that names a file (ParameterKind::kFile), those in braces
-/// included; paths are relative to `folder`, that of the rules ("" where they have none).
-/// errors  those of Get, the first in reading order.
+/// included; `folder` is that of the rules ("" where they have none), names are looked for as
+/// PathsFor says.
+/// errors  those of Get for the path beside the rules, the first in reading order.
 Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action);
 
 }  // namespace parti::grammar

@@ -146,7 +146,7 @@ const std::array<Parameter, 1> kTextureParameters = {{{
     .name = "file",
     .kind = ParameterKind::kText,
     .default_value = std::string("bricks.png"),
-    .doc = "a .png or .jpg beside the rules",
+    .doc = "a .png or .jpg beside the rules, or in a folder above",
 }}};
 
 const std::array<Parameter, 6> kSetupParameters = {UvSet(),

@@ -95,6 +95,20 @@ TEST(DeriveCommand, ADocumentDerivesTheSameAgain) {
                 .output);
 }
 
+TEST(DeriveCommand, ImportsOfAFolderAboveAreFoundAndKept) {
+  const std::string folder = tests::TestFolder();
+  const std::string roof = folder + "/roof.cga", house = folder + "/towers/house.cga";
+  const std::string saved = folder + "/house.parti";
+  std::filesystem::create_directory(folder + "/towers");
+  ASSERT_TRUE(WriteFile(roof, "Roof --> color(\"#ad7859\")\n"));
+  ASSERT_TRUE(
+      WriteFile(house, "import r : \"roof.cga\"\nLot --> split(x) { ~1: r.Roof | ~1: A }\n"));
+  EXPECT_EQ(StatsOf({house, "--save", saved})["terminals"], 2);
+  std::filesystem::remove(roof);
+  EXPECT_THAT(RunParti({"derive", house}).errors, HasSubstr("towers/roof.cga"));
+  EXPECT_EQ(StatsOf({saved})["terminals"], 2) << "the document has it";
+}
+
 TEST(DeriveCommand, RulesWrittenOutGiveTheSameModel) {
   const std::string rules = File(kHouse), out = tests::TestFolder() + "/out.cga";
   const ProgramRun run = RunParti({"export", rules, out, "--set", "height=9"});

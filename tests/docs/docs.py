@@ -6,7 +6,9 @@ Usage: docs.py PARTI [FILE…]     PARTI: the built program. Exit status 1 when 
   ```sh       run by bash in an empty folder per document, `parti` on the PATH, assets/ beside it,
               each block after the ones above it; it must exit 0. `# exits 1` on its first line: 1.
   ```text     directly after it: what it printed; … stands for anything
-  ```cga      rules or selection-action trees (docs/language.md): parti must read them
+  ```cga      rules or selection-action trees (docs/language.md): parti must read them, and where they are
+              whole, with trees or a rule for Lot or with @StartRule, derive them in each of their styles on
+              the lot in their first line, `// lot: rect(12,8)`, or else on rect(20,14)
   ```pen      a drawing: parti must replay it
   ```json     one JSON value, or one a line
   ```console  for reading only (it installs, builds, or needs a device), but programs of this
@@ -24,7 +26,9 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-TREE = re.compile(r"^tree\b", re.MULTILINE)
+WHOLE = re.compile(r"^(?:tree\b|Lot\s*(?:-->|->|→)|@StartRule\b)", re.MULTILINE)
+STYLE = re.compile(r"^style (\w+)", re.MULTILINE)
+LOT = re.compile(r"// lot: (.*)")
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 SCRIPT = re.compile(r"(?:^|[\s;&|])\./([\w./-]+)")
 FOLDERS = "app|base|grammar|input|render|sketch"
@@ -67,10 +71,16 @@ class Document:
 
     def try_cga(self, text):
         (self.folder / "block.cga").write_text(text, encoding="utf-8")
-        done = self.run([str(self.parti), "check", "block.cga"])
-        if done.returncode == 0 and TREE.search(text):
-            done = self.run([str(self.parti), "export", "block.cga", "read.cga", "--lot", "rect(20,14)"])
-        return "" if done.returncode == 0 else f"exit status {done.returncode}\n{done.stdout}"
+        lot = LOT.match(text)
+        tries = [["check", "block.cga"]]
+        if WHOLE.search(text):
+            derive = ["derive", "block.cga", "--lot", lot[1] if lot else "rect(20,14)"]
+            tries += [derive + ["--export", "read.cga"], *(derive + ["--style", name] for name in STYLE.findall(text))]
+        for arguments in tries:
+            done = self.run([str(self.parti), *arguments])
+            if done.returncode:
+                return f"parti {' '.join(arguments)}: exit status {done.returncode}\n{done.stdout}"
+        return ""
 
     def try_pen(self, text):
         (self.folder / "block.pen").write_text(text, encoding="utf-8")

@@ -8,8 +8,16 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import docs  # noqa: E402
 
-# Stands for the program: reads only files that hold "good".
-PARTI = '#!/bin/sh\n[ "$1" = say ] && { echo "$2"; exit 0; }\ngrep -q good "$2"\n'
+# Stands for the program: reads only files that hold "good", derives only on lots and in styles that are in them.
+PARTI = """#!/bin/sh
+[ "$1" = say ] && { echo "$2"; exit 0; }
+grep -q good "$2" || exit 1
+[ "$1" = derive ] || exit 0
+file="$2"
+grep -qF "$4" "$file" || exit 1
+[ "$5" = --style ] && { [ "$6" = Brick ] || exit 1; }
+exit 0
+"""
 
 
 class Documents(unittest.TestCase):
@@ -40,6 +48,15 @@ class Documents(unittest.TestCase):
     def test_rules_and_drawings_that_are_not_read_are_found(self):
         self.assertEqual(self.lines("```cga\ngood\n```\n```cga\nbad\n```\n"), [4])
         self.assertEqual(self.lines("```pen\nbad\n```\n```pen\ngood\n```\n"), [1])
+
+    def test_whole_rules_are_derived_on_their_lot_and_in_their_styles(self):
+        block = "```cga\n// lot: rect(1,2)\n// good\nLot --> A\n```\n"
+        self.assertEqual(self.lines(block), [])
+        self.assertEqual(self.lines(block.replace("// lot", "// log")), [1], "its lot is rect(20,14)")
+        self.assertEqual(self.lines(block.replace("Lot -->", "Mass -->").replace("// lot", "// log")), [], "not whole")
+        self.assertEqual(self.lines(block.replace("Lot --> A", "Lot --> A\nstyle Brick\n")), [])
+        self.assertEqual(self.lines(block.replace("Lot --> A", "Lot --> A\nstyle Brick\nstyle Other\n")), [1])
+        self.assertEqual(self.lines(block.replace("Lot --> A", "@StartRule\nHouse --> A")), [])
 
     def test_text_that_is_not_json_is_found(self):
         self.assertEqual(self.lines('```json\n{"a": 1}\n{"b": 2}\n```\n```json\n{a}\n```\n'), [5])

@@ -195,6 +195,39 @@ TEST(AssetLibrary, FindsFilesBesideTheRulesAndBesideTheAsset) {
   EXPECT_TRUE(insert.asset->mesh);
 }
 
+TEST(AssetLibrary, LooksInTheFoldersAboveTheNearestFirst) {
+  const auto near = PathsFor("a/b", "x.obj");
+  ASSERT_EQ(near.size(), kMostFolders);
+  EXPECT_THAT(std::vector(near.begin(), near.begin() + 5),
+              testing::ElementsAre("a/b/x.obj", "a/x.obj", "x.obj", "../x.obj", "../../x.obj"));
+  EXPECT_THAT(PathsFor("/a/b", "c/x.obj"),
+              testing::ElementsAre("/a/b/c/x.obj", "/a/c/x.obj", "/c/x.obj"));
+  EXPECT_THAT(PathsFor("/", "x.obj"), testing::ElementsAre("/x.obj"));
+  EXPECT_EQ(PathsFor("..", "x.obj").at(1), "../../x.obj");
+  EXPECT_THAT(PathsFor("a", "/x.obj"), testing::ElementsAre("/x.obj"));
+}
+
+TEST(AssetLibrary, AssetsOfAFolderAboveAreFound) {
+  AssetLibrary library(ReadFile);
+  auto insert = *ParseAction("i(\"models/window.obj\") Window");
+  const std::string deep = std::string(PARTI_SOURCE_DIR) + "/assets/models/rules/houses";
+  ASSERT_TRUE(ResolveAssets(deep, &library, &insert));
+  EXPECT_TRUE(insert.asset->mesh);
+  auto missing = *ParseAction("i(\"nowhere.obj\") Window");
+  const auto failed = ResolveAssets(deep, &library, &missing);
+  ASSERT_FALSE(failed);
+  EXPECT_THAT(failed.error().message, HasSubstr(deep + "/nowhere.obj"));
+}
+
+TEST(AssetLibrary, ADamagedAssetIsNotPassedOver) {
+  AssetLibrary library([](const std::string& path) -> Result<std::string> {
+    return path == "rules/a.obj" ? "f 1 2 9\n" : "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  });
+  auto insert = *ParseAction("i(\"a.obj\") A");
+  EXPECT_FALSE(ResolveAssets("rules", &library, &insert));
+  EXPECT_TRUE(ResolveAssets("", &library, &insert));
+}
+
 TEST(Insert, FillsTheScopeAndStretchesItsDepth) {
   const Item window = Insert("i(\"window.obj\") W", Facade());
   EXPECT_EQ(window.type, ItemType::kVolume);
