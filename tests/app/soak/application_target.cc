@@ -46,6 +46,11 @@ void ApplicationTarget::Resize(const Vec2& size_px) {
   Turn();
 }
 
+void ApplicationTarget::TakePen() {
+  application_->Do(app::PanelCommand(app::PointerMode::kDraw));
+  Turn();
+}
+
 std::shared_ptr<const app::SessionSnapshot> ApplicationTarget::Settle() {
   const auto settled = app::Settle(application_.get(), 300);
   CHECK(settled.has_value(), "the application comes to rest");

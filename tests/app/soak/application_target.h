@@ -16,6 +16,7 @@ class ApplicationTarget : public SoakTarget {
   void Feed(const InputEvent& event) override;
   void Send(const app::SessionRequest& request) override;
   void Resize(const Vec2& size_px) override;
+  void TakePen() override;
   std::shared_ptr<const app::SessionSnapshot> Newest() override { return session_.Newest(); }
   std::shared_ptr<const app::SessionSnapshot> Settle() override;
 

@@ -18,6 +18,7 @@ class SessionTarget : public SoakTarget {
   void Feed(const InputEvent& event) override;
   void Send(const app::SessionRequest& request) override;
   void Resize(const Vec2& size_px) override;
+  void TakePen() override {}
   std::shared_ptr<const app::SessionSnapshot> Newest() override { return thread_.Newest(); }
   std::shared_ptr<const app::SessionSnapshot> Settle() override;
 

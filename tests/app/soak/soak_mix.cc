@@ -15,6 +15,7 @@ using app::DocumentRequest;
 
 constexpr Vec2 kTablet_mm{280, 175};
 constexpr double kSampleRate = 50;  // Hz: a quarter of a real pen: the session's work is per stroke
+constexpr int kTakesPen = 20;       // moments
 constexpr size_t kMostNodes = 14;   // a building is given up when it has more
 
 DeviceFacts SoakTablet() {
@@ -75,8 +76,10 @@ void SoakMix::Do(const Share& share, SoakTarget* target) {
   (this->*share.deed)(target);
 }
 
-/// Keeps the building of a size that a person would work on.
+/// Keeps the building of a size that a person would work on, and takes the pen again when scribbles
+/// have tapped another tool.
 void SoakMix::Tidy(SoakTarget* target) {
+  if (moments_ % kTakesPen == 0) target->TakePen();
   const auto now = target->Newest();
   const auto& trees = now->state->model.trees();
   size_t nodes = 0;

@@ -20,6 +20,8 @@ class SoakTarget {
   virtual void Send(const app::SessionRequest& request) = 0;
   /// The window has another size, at least 1 x 1; nothing for a target without one.
   virtual void Resize(const Vec2& size_px) = 0;
+  /// The pen draws again, whatever tool was tapped; nothing for a target without tools.
+  virtual void TakePen() = 0;
   /// What came of it so far; never null.
   virtual std::shared_ptr<const app::SessionSnapshot> Newest() = 0;
   /// Waits until everything is executed and written.
