@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/panels/box.h"
+#include "app/panels/file_text.h"
+#include "app/panels/layer_rows.h"
 #include "app/panels/layout.h"
 #include "app/panels/rules_text.h"
 
@@ -15,14 +17,20 @@ namespace parti::app::panels {
 /// A sheet that opens under a button; at most one does.
 enum class Sheet : uint8_t { kNone, kDocument, kOpen, kSaveAs, kViews, kExport, kSettings };
 
+/// What the rules' sheet shows them as.
+enum class RulesAs : uint8_t { kRows, kText, kLayers };
+
 /// Shared by the panels of one frame.
 struct Memory {
   Layout layout;
   Sheet open = Sheet::kNone;
   Box opened_at;             ///< the button that opened it
   bool rules_shown = false;  ///< the drawing stays clear until they are asked for
-  bool rules_as_text = false;
+  RulesAs rules_as = RulesAs::kRows;
   TypedRules typed_rules;
+  TypedFiles typed_files;
+  KnownRules known_rules;
+  std::string open_layer;  ///< "Facade.door": its rule is being picked; "" none
   uint64_t dismissed = 0;  ///< FailedRequest::number that was read
   std::string file_name;   ///< being given, without its folder
   std::string export_ending = "glb";

@@ -203,9 +203,10 @@ void Panels::Parts::DrawAll() {
 
 /// The rules, and under them the node in hand.
 void Panels::Parts::DrawColumn() {
+  if (view_.session) memory_.typed_files.Settle(view_.session->state->model);
   if (!memory_.rules_shown) return;
   Box column = memory_.layout.rules;
-  const float gap = ui_.U(8), rules = RulesHeight(&ui_, memory_, column.width());
+  const float gap = ui_.U(8), rules = RulesHeight(&ui_, &memory_, column.width());
   const auto* node = NodeInHand(view_);
   if (!node) return DrawRules(&ui_, &memory_, column.CutTop(rules));
   const float wanted = NodeHeight(&ui_, *node, column.width());

@@ -1,5 +1,6 @@
 #include "app/panels/rules_sheet.h"
 
+#include "app/panels/layers_sheet.h"
 #include "app/panels/text_sheet.h"
 #include "app/panels/tree_rows.h"
 #include "app/panels/words.h"
@@ -156,6 +157,8 @@ class RuleList {
 
 constexpr const char* kNoRules =
     "Rules appear here as you draw: each suggestion that you tap becomes one.";
+constexpr const char* kOnlyFiles =
+    "This building is made by rule files: see them as text. What you draw is added here.";
 
 std::vector<RowText> AllRows(Ui* ui, float width) {
   std::vector<RowText> rows;
@@ -179,17 +182,62 @@ float HeightOf(Ui* ui, const std::vector<RowText>& rows) {
 /// Of the list, in a sheet of this width.
 float ListWidth(Ui* ui, float width) { return width - ui->U(2 * kMeasures.gap); }
 
+bool HasFiles(const Ui& ui) {
+  return ui.view().session && ui.view().session->state->model.ground->source;
+}
+
+/// What is shown: what was asked for, where there is any.
+RulesAs ShownAs(const Ui& ui, Memory* memory, bool has_rows) {
+  if (memory->rules_as == RulesAs::kText && (has_rows || HasFiles(ui))) return RulesAs::kText;
+  if (memory->rules_as == RulesAs::kLayers && HasLayers(ui, memory)) return RulesAs::kLayers;
+  return RulesAs::kRows;
+}
+
+/// Buttons that show the rules in another way, and back.
+void DrawWays(Ui* ui, Memory* memory, bool has_rows, Box* head) {
+  const RulesAs shown = ShownAs(*ui, memory, has_rows);
+  const auto way = [&](const char* name, RulesAs as, float width) {
+    const ButtonLook look{.name = name, .label = name, .chosen = shown == as};
+    if (!ui->Button(look, head->CutRight(ui->U(width), ui->U(4))).pressed) return;
+    memory->rules_as = shown == as ? RulesAs::kRows : as;
+  };
+  if (has_rows || HasFiles(*ui)) way("As text", RulesAs::kText, 88);
+  if (HasLayers(*ui, memory)) way("Layers", RulesAs::kLayers, 80);
+}
+
+/// Where there are no rows.
+const char* WordsFor(const Ui& ui) { return HasFiles(ui) ? kOnlyFiles : kNoRules; }
+
+float ListHeight(Ui* ui, Memory* memory, const std::vector<RowText>& rows, float width) {
+  switch (ShownAs(*ui, memory, !rows.empty())) {
+    case RulesAs::kText:
+      return RulesTextHeight(ui, *memory, width);
+    case RulesAs::kLayers:
+      return LayersHeight(ui, memory, width);
+    case RulesAs::kRows:
+      break;
+  }
+  if (!rows.empty()) return HeightOf(ui, rows);
+  const Box room{0, 0, width - ui->U(16), 0};
+  return ui->Paragraph(WordsFor(*ui), room, {}, false) + ui->U(20);
+}
+
+void DrawList(Ui* ui, Memory* memory, const std::vector<RowText>& rows, const Box& list) {
+  switch (ShownAs(*ui, memory, !rows.empty())) {
+    case RulesAs::kText:
+      return DrawRulesText(ui, memory, list);
+    case RulesAs::kLayers:
+      return DrawLayers(ui, memory, list);
+    case RulesAs::kRows:
+      return RuleList(ui, memory).Draw(rows, list);
+  }
+}
+
 }  // namespace
 
-float RulesHeight(Ui* ui, const Memory& memory, float width) {
-  const std::vector<RowText> rows = AllRows(ui, ListWidth(ui, width));
-  const float head = ui->U(kMeasures.target + 3 * kMeasures.gap);
-  if (!rows.empty() && memory.rules_as_text) {
-    return head + RulesTextHeight(ui, memory, ListWidth(ui, width));
-  }
-  if (!rows.empty()) return head + HeightOf(ui, rows);
-  const Box room{0, 0, ListWidth(ui, width) - ui->U(16), 0};
-  return head + ui->Paragraph(kNoRules, room, {}, false) + ui->U(20);
+float RulesHeight(Ui* ui, Memory* memory, float width) {
+  const float list = ListWidth(ui, width), head = ui->U(kMeasures.target + 3 * kMeasures.gap);
+  return head + ListHeight(ui, memory, AllRows(ui, list), list);
 }
 
 void DrawRules(Ui* ui, Memory* memory, const Box& box) {
@@ -199,21 +247,17 @@ void DrawRules(Ui* ui, Memory* memory, const Box& box) {
   Box head = rest.CutTop(ui->U(kMeasures.target), gap);
   ui->Hairline(head);
   const std::vector<RowText> rows = AllRows(ui, width);
-  if (!rows.empty()) {
-    const Box toggle = head.CutRight(ui->U(88));
-    const ButtonLook text{.name = "As text", .label = "As text", .chosen = memory->rules_as_text};
-    if (ui->Button(text, toggle).pressed) memory->rules_as_text = !memory->rules_as_text;
-  }
+  DrawWays(ui, memory, !rows.empty(), &head);
   ui->Text("Rules", head.Inset(ui->U(8), 0), {Letter::kStrong});
-  if (rows.empty()) {
-    ui->Paragraph(kNoRules, rest.Inset(ui->U(8)), {Letter::kBody, Tone::kQuiet});
+  if (rows.empty() && ShownAs(*ui, memory, false) == RulesAs::kRows) {
+    ui->Paragraph(WordsFor(*ui), rest.Inset(ui->U(8)), {Letter::kBody, Tone::kQuiet});
     return ui->EndSheet();
   }
-  if (memory->rules_as_text) {
-    DrawRulesText(ui, memory, ui->BeginList("text", rest, RulesTextHeight(ui, *memory, width)));
-  } else {
-    RuleList(ui, memory).Draw(rows, ui->BeginList("list", rest, HeightOf(ui, rows)));
-  }
+  constexpr const char* kNames[] = {"list", "text", "layers"};
+  const RulesAs shown = ShownAs(*ui, memory, !rows.empty());
+  DrawList(
+      ui, memory, rows,
+      ui->BeginList(kNames[static_cast<size_t>(shown)], rest, ListHeight(ui, memory, rows, width)));
   ui->EndList();
   ui->EndSheet();
 }

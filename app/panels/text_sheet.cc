@@ -6,6 +6,10 @@ namespace parti::app::panels {
 namespace {
 
 constexpr const char* kWaiting = "Not in force yet: mend the lines that are marked.";
+constexpr const char* kDeriving = "Not in force yet: the building can't be made by it so far.";
+constexpr const char* kBack = "Back to the rules in force";
+constexpr const char* kNewLine = "Add a line";
+constexpr const char* kTrees = "Drawn on top of them";
 
 /// A line with the heights of its parts.
 struct LineText {
@@ -28,37 +32,6 @@ LineText Measured(Ui* ui, RulesLine line, float width) {
   return text;
 }
 
-std::vector<LineText> AllLines(Ui* ui, const Memory& memory, float width) {
-  std::vector<LineText> lines;
-  if (!ui->view().session) return lines;
-  for (RulesLine& line : LinesOf(*ui->view().session->state, memory.typed_rules)) {
-    lines.push_back(Measured(ui, std::move(line), width));
-  }
-  return lines;
-}
-
-bool Waits(const Ui& ui, const Memory& memory) {
-  return ui.view().session && memory.typed_rules.Waits(ui.view().session->state->model);
-}
-
-float WaitingHeight(Ui* ui, float width) {
-  const Box room{0, 0, width - ui->U(16), 0};
-  return ui->Paragraph(kWaiting, room, {Letter::kSmall}, false) + ui->U(8 + kMeasures.target + 4);
-}
-
-/// Says that the text waits, and takes it back.
-void DrawWaiting(Ui* ui, Memory* memory, Box box) {
-  const TextLook look{Letter::kSmall, Tone::kWarning};
-  const Box room = box.Inset(ui->U(8), 0);
-  box.CutTop(ui->Paragraph(kWaiting, room, look), ui->U(8));
-  const ButtonLook back{.name = "Back to the rules in force",
-                        .icon = Icon::kReset,
-                        .label = "Back to the rules in force"};
-  if (ui->Button(back, box.CutTop(ui->U(kMeasures.target))).pressed) {
-    memory->typed_rules.lines.clear();
-  }
-}
-
 void DrawWords(Ui* ui, const LineText& text, const Box& row, Ground ground) {
   const float content = text.words_height + text.notes_height;
   Box rest{row.x0 + text.words.x0, row.middle_y() - content / 2, row.x0 + text.words.x1, row.y1};
@@ -70,32 +43,124 @@ void DrawWords(Ui* ui, const LineText& text, const Box& row, Ground ground) {
   }
 }
 
-void DrawLine(Ui* ui, Memory* memory, const LineText& text, size_t i, const Box& row) {
-  if (text.line.closes) return DrawWords(ui, text, row, Ground::kPanel);
-  Ui::Over over;
-  const auto typed = ui->FieldOver(fmt::format("Line {}", i + 1), row, text.line.text, &over);
-  if (!over.typing) DrawWords(ui, text, row, over.hovered ? Ground::kHover : Ground::kPanel);
-  if (!typed) return;
-  const auto rewrite = TypeOver(*ui->view().session->state, i, *typed, &memory->typed_rules);
-  if (rewrite) ui->SendTyped(*rewrite);
+/// Draws all texts one under the other, or only measures where `draw` is false.
+class Texts {
+ public:
+  Texts(Ui* ui, const Box& list, bool draw) : ui_(ui), list_(list), draw_(draw) {}
+
+  float height() const { return height_; }
+
+  void Heading(std::string_view text) {
+    const TextLook look{Letter::kStrong};
+    const Box room = list_.Inset(ui_->U(8), 0);
+    const float words = ui_->Paragraph(text, room, look, false);
+    const Box box = Take(words + ui_->U(10));
+    if (draw_) ui_->Paragraph(text, {room.x0, box.y0 + ui_->U(4), room.x1, box.y1}, look);
+  }
+
+  /// Says why a text waits; whether it is to be taken back.
+  bool Waiting(const char* words, const std::string& back) {
+    const TextLook look{Letter::kSmall, Tone::kWarning};
+    const Box room = list_.Inset(ui_->U(8), 0);
+    const Box said = Take(ui_->Paragraph(words, room, look, false) + ui_->U(8));
+    const Box button = Take(ui_->U(kMeasures.target), ui_->U(4));
+    if (!draw_) return false;
+    ui_->Paragraph(words, {room.x0, said.y0, room.x1, said.y1}, look);
+    return ui_->Button({.name = back, .icon = Icon::kReset, .label = kBack}, button).pressed;
+  }
+
+  /// What was typed over the line.
+  std::optional<std::string> Line(const std::string& name, RulesLine line) {
+    const LineText text = Measured(ui_, std::move(line), list_.width());
+    const Box row = Take(text.height);
+    if (!draw_) return std::nullopt;
+    if (text.line.closes) {
+      DrawWords(ui_, text, row, Ground::kPanel);
+      return std::nullopt;
+    }
+    Ui::Over over;
+    auto typed = ui_->FieldOver(name, row, text.line.text, &over);
+    if (!over.typing) DrawWords(ui_, text, row, over.hovered ? Ground::kHover : Ground::kPanel);
+    return typed;
+  }
+
+  /// What was typed into an empty line at the end.
+  std::optional<std::string> NewLine(const std::string& name) {
+    const Box row = Take(ui_->U(kMeasures.target), ui_->U(6));
+    if (!draw_) return std::nullopt;
+    Ui::Over over;
+    auto typed = ui_->FieldOver(name, row, "", &over);
+    const Ground ground = over.hovered ? Ground::kHover : Ground::kPanel;
+    const TextLook look{Letter::kBody, Tone::kQuiet, ground};
+    if (!over.typing) ui_->Text(kNewLine, row.Inset(ui_->U(8), 0), look);
+    return typed;
+  }
+
+ private:
+  Box Take(float height, float gap = 0) {
+    const Box box{list_.x0, list_.y0 + height_, list_.x1, list_.y0 + height_ + height};
+    height_ += height + gap;
+    return box;
+  }
+
+  Ui* ui_;
+  Box list_;
+  bool draw_;
+  float height_ = 0;
+};
+
+void TypeInFile(Ui* ui, TypedFiles* all, const FileLines& file, size_t line,
+                const std::string& typed) {
+  const auto command = TypeOver(*ui->view().session, file.file, line, typed, all);
+  if (command) ui->SendTyped(*command);
+}
+
+/// `typed_files` is changed only where something is typed: never while measuring.
+void File(Ui* ui, TypedFiles* typed_files, const FileLines& file, Texts* texts) {
+  texts->Heading(file.file);
+  if (file.waits && texts->Waiting(file.is_read ? kDeriving : kWaiting, "Back " + file.file)) {
+    std::erase_if(typed_files->files, [&](const auto& one) { return one.name == file.file; });
+  }
+  for (size_t i = 0; i < file.lines.size(); ++i) {
+    const auto typed = texts->Line(fmt::format("{} {}", file.file, i + 1), file.lines[i]);
+    if (typed) TypeInFile(ui, typed_files, file, i, *typed);
+  }
+  const auto added = texts->NewLine(fmt::format("{} end", file.file));
+  if (added) TypeInFile(ui, typed_files, file, file.lines.size(), *added);
+}
+
+void Trees(Ui* ui, TypedRules* typed_rules, const std::vector<RulesLine>& lines, Texts* texts) {
+  const SessionState& state = *ui->view().session->state;
+  if (typed_rules->Waits(state.model) && texts->Waiting(kWaiting, kBack)) {
+    typed_rules->lines.clear();
+  }
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const auto typed = texts->Line(fmt::format("Line {}", i + 1), lines[i]);
+    if (!typed) continue;
+    if (const auto rewrite = TypeOver(state, i, *typed, typed_rules)) ui->SendTyped(*rewrite);
+  }
+}
+
+float All(Ui* ui, TypedFiles* typed_files, TypedRules* typed_rules, Texts texts) {
+  if (!ui->view().session) return 0;
+  const std::vector<FileLines> files = FilesOf(*ui->view().session, *typed_files);
+  for (const FileLines& file : files) File(ui, typed_files, file, &texts);
+  const std::vector<RulesLine> trees = LinesOf(*ui->view().session->state, *typed_rules);
+  if (!files.empty() && !trees.empty()) texts.Heading(kTrees);
+  Trees(ui, typed_rules, trees, &texts);
+  return texts.height();
 }
 
 }  // namespace
 
 float RulesTextHeight(Ui* ui, const Memory& memory, float width) {
-  float height = Waits(*ui, memory) ? WaitingHeight(ui, width) : 0;
-  for (const LineText& line : AllLines(ui, memory, width)) height += line.height;
-  return height;
+  TypedFiles files = memory.typed_files;
+  TypedRules rules = memory.typed_rules;
+  return All(ui, &files, &rules, Texts(ui, {0, 0, width, 0}, false));
 }
 
-void DrawRulesText(Ui* ui, Memory* memory, Box list) {
-  const std::vector<LineText> lines = AllLines(ui, *memory, list.width());
-  if (Waits(*ui, *memory)) {
-    DrawWaiting(ui, memory, list.CutTop(WaitingHeight(ui, list.width())));
-  }
-  for (size_t i = 0; i < lines.size(); ++i) {
-    DrawLine(ui, memory, lines[i], i, list.CutTop(lines[i].height));
-  }
+void DrawRulesText(Ui* ui, Memory* memory, const Box& list) {
+  All(ui, &memory->typed_files, &memory->typed_rules, Texts(ui, list, true));
 }
 
 }  // namespace parti::app::panels

@@ -1,5 +1,5 @@
-// The rules as text: a line for each node, typed over where it is tapped, with what is wrong in
-// place. Which lines there are is rules_text.h's.
+// The rules as text, those of files and those drawn: lines that are typed over where they are
+// tapped, with what is wrong in place. Which lines there are is file_text.h's and rules_text.h's.
 #pragma once
 
 #include "app/panels/memory.h"
@@ -11,6 +11,6 @@ namespace parti::app::panels {
 float RulesTextHeight(Ui* ui, const Memory& memory, float width);
 
 /// Draws them into a list.
-void DrawRulesText(Ui* ui, Memory* memory, Box list);
+void DrawRulesText(Ui* ui, Memory* memory, const Box& list);
 
 }  // namespace parti::app::panels

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <string_view>
 
 #include "grammar/operation.h"
+#include "grammar/rules/visit_statements.h"
 
 namespace parti::grammar {
 namespace {
@@ -20,15 +20,6 @@ bool LaysOut(const Statement& statement) {
 std::string NameOf(const SuccessorRule& layer) {
   const auto* name = std::get_if<std::string>(&layer.key);
   return name != nullptr ? *name : std::string();
-}
-
-/// Visits every statement of a body and of what it has inside.
-void VisitStatements(const Body& body, const std::function<void(const Statement&)>& visit) {
-  for (const Statement& statement : body.statements) {
-    visit(statement);
-    for (const SuccessorRule& one : statement.successors) VisitStatements(one.body, visit);
-  }
-  for (const Body::Alternative& one : body.alternatives) VisitStatements(*one.body, visit);
 }
 
 Result<void> CheckLayer(const std::string& name, const std::vector<std::string>& known) {
@@ -65,7 +56,7 @@ class Editor {
   void Edit(Body* body) const {
     for (Statement& statement : body->statements) {
       if (LaysOut(statement)) EditLayers(&statement.successors);
-      for (SuccessorRule& one : statement.successors) Edit(&one.body);
+      for (SuccessorRule& one : statement.successors) Edit(&one);
     }
     std::erase_if(body->statements,
                   [](const Statement& one) { return LaysOut(one) && one.successors.empty(); });
@@ -77,6 +68,11 @@ class Editor {
   }
 
  private:
+  void Edit(SuccessorRule* successor) const {
+    Edit(&successor->body);
+    for (SuccessorRule& one : successor->repeat) Edit(&one);
+  }
+
   void EditLayers(std::vector<SuccessorRule>* layers) const {
     std::erase_if(*layers, [&](const SuccessorRule& layer) {
       return std::find(edits_.off.begin(), edits_.off.end(), NameOf(layer)) != edits_.off.end();

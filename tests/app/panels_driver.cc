@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "app/picture.h"
 #include "app/replay.h"
 #include "app/session.h"
 #include "base/text_file.h"
@@ -148,6 +149,52 @@ std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps) {
   for (size_t i = 0; i < static_cast<size_t>(taps); ++i) {
     EXPECT_TRUE(session.Execute(Select{{IdOf(model, {0, (*glass)[i]})}}));
   }
+  return SnapshotOf(session.state());
+}
+
+namespace {
+
+constexpr const char* kLayered = R"(// A house with a shop
+import roof : "roof.cga"
+attr height = 10
+
+Lot --> extrude(height) Mass
+Mass --> comp(f) { front: Facade | side: Wall | top: roof.Flat }
+
+Facade --> layers("floors", "shop", "sign")
+  { Floors | Shop | Sign }
+Floors --> segment(y, 3.4, ~1) { NIL | Storeys }
+Storeys --> segment(y) { ~3: Storey }*
+Storey --> segment(x) { ~1: NIL | 1.2: Window | ~1: NIL }*
+Window --> extrude(-0.2) Glass
+Shop --> segment(y, 0.4, 2.6, ~1) { NIL | Panes | NIL }
+Panes --> segment(x, ~1, 5, ~1) { NIL | Window | NIL }
+Sign --> segment(y, 3.2, 0.6, ~1) { NIL | Board | NIL }
+Board --> extrude(0.1) color("#7a3b2e")
+Door --> segment(x, 1, 1.2, ~1) { NIL | Leaf | NIL }
+Leaf --> extrude(0.1)
+)";
+
+Session Layered() {
+  auto source = std::make_shared<RuleSource>();
+  source->files = {{"house.cga", kLayered}, {"roof.cga", "Flat --> extrude(0.3) Slab\n"}};
+  auto ground = GroundOf(*ParseLots("rect(12,8)"), source);
+  EXPECT_TRUE(ground) << FormatError(ground.error());
+  auto model = Derived(std::move(*ground), std::make_shared<const grammar::Trees>(), nullptr);
+  EXPECT_TRUE(model);
+  const Camera camera = AutoViewOf(*model, {1600, 1000});
+  return Session(std::move(*model), camera);
+}
+
+}  // namespace
+
+std::shared_ptr<const SessionSnapshot> LayeredHouse(const std::string& tapped) {
+  Session session = Layered();
+  const Model& model = session.state().model;
+  if (tapped.empty()) return SnapshotOf(session.state());
+  const auto found = grammar::ProductOf(*grammar::ParseQuery(tapped), model.derived[0]->tree);
+  EXPECT_TRUE(found && !found->empty()) << tapped;
+  EXPECT_TRUE(session.Execute(Select{{IdOf(model, {0, found->front()})}}));
   return SnapshotOf(session.state());
 }
 

@@ -55,6 +55,8 @@ std::shared_ptr<const SessionSnapshot> WholeHouse();
 
 /// The house with windows tapped.
 std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps);
+/// A house made by rule files with layers; the first shape of a query, if any, is tapped.
+std::shared_ptr<const SessionSnapshot> LayeredHouse(const std::string& tapped = "");
 /// The same with a node in hand.
 std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const SessionSnapshot>& session,
                                              const NodePath& path);

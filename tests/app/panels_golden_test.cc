@@ -78,6 +78,27 @@ TEST_P(PanelsGolden, RulesAsText) {
   Look("rules-text", {"Rules", "Menu"});
 }
 
+TEST_P(PanelsGolden, RuleFilesAsText) {
+  panels_.view.session = LayeredHouse();
+  Resize({1280, 1460});
+  panels_.Tap("Menu/Rules");
+  panels_.Tap("Rules/As text");
+  panels_.Tap("Rules/house.cga 12");
+  panels_.Type("Storey --> segment(x) { ~1: NIL | 1.2: Windw | ~1: NIL }* colour(2)");
+  panels_.Key(KEY_ENTER);
+  panels_.Frame({PanelPointerGone{}});
+  Look("rule-files", {"Rules", "Menu"});
+}
+
+TEST_P(PanelsGolden, LayersOfTheFaceInHand) {
+  panels_.view.session = LayeredHouse(".Board");
+  panels_.Tap("Menu/Rules");
+  panels_.Tap("Rules/Layers");
+  panels_.Tap("Rules/Facade.shop");
+  panels_.Frame({PanelPointerGone{}});
+  Look("layers");
+}
+
 TEST_P(PanelsGolden, Queries) {
   panels_.view.session = HouseWithTaps(2);
   panels_.view.mode = PointerMode::kSelect;

@@ -36,6 +36,19 @@ const StateCase kStates[] = {
        p->Tap("Menu/Rules");
        p->Tap("Rules/As text");
      }},
+    {"RuleFiles",
+     [](PanelDriver* p) {
+       p->view.session = LayeredHouse();
+       p->Tap("Menu/Rules");
+       p->Tap("Rules/As text");
+     }},
+    {"Layers",
+     [](PanelDriver* p) {
+       p->view.session = LayeredHouse(".Board");
+       p->Tap("Menu/Rules");
+       p->Tap("Rules/Layers");
+       p->Tap("Rules/Facade.shop");
+     }},
     {"Node",
      [](PanelDriver* p) {
        p->view.session = Taken(WholeHouse(), {0, 0, 0, 0});

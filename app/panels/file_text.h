@@ -1,0 +1,47 @@
+// The rule files that a building is made by, as lines of text that can be typed over, with what is
+// wrong at its line. Pure: what lines look like is text_sheet.h's; the language is grammar's.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/panels/rules_text.h"
+#include "app/session_snapshot.h"
+
+namespace parti::app::panels {
+
+/// Texts of files that were typed and are not in force: they can't be read, or are being derived.
+struct TypedFiles {
+  std::vector<grammar::RuleFile> files;    ///< empty: nothing is typed
+  std::shared_ptr<const RuleSource> over;  ///< what they were typed over
+  uint64_t failed_before = 0;              ///< FailedRequest::number when the last was typed
+
+  /// Whether they are to be shown for this model: its files are still those typed over.
+  bool Waits(const Model& model) const { return !files.empty() && over == model.ground->source; }
+  /// Forgets them where other texts are in force: undo does not bring them back.
+  void Settle(const Model& model) {
+    if (!Waits(model)) *this = {};
+  }
+};
+
+/// The text of one file.
+struct FileLines {
+  std::string file;
+  bool waits = false;   ///< it was typed in, and is not in force
+  bool is_read = true;  ///< it can be read, with all other files as they are
+  std::vector<RulesLine> lines;
+};
+
+/// The files that are in force, or what is typed over them; none for a building without files.
+std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles& typed);
+
+/// Types `text` over a line of a file, or after its last where `line` is the number of lines; an
+/// empty text takes the line out. What can be read is the command to send; it and what can't be
+/// read wait in `*typed` until it is in force.
+std::optional<SetRuleText> TypeOver(const SessionSnapshot& session, const std::string& file,
+                                    size_t line, const std::string& text, TypedFiles* typed);
+
+}  // namespace parti::app::panels
