@@ -38,6 +38,12 @@ struct DrawingStyle {
   render::Vec4f hovered{0.10f, 0.38f, 0.80f, 0.55f};
   float hovered_px = 2.0f;
   float snap_px = 9.0f;  ///< diameter of the dot on a corner; edges are a third as wide
+
+  render::Vec4f layer{0.10f, 0.38f, 0.80f, 1};  ///< elements that can be placed by hand
+  float layer_px = 1.8f;
+  float handle_px = 9.0f;                       ///< diameter
+  render::Vec4f guide{0.80f, 0.08f, 0.52f, 1};  ///< what an element being placed falls in with
+  float guide_px = 1.6f;
 };
 
 /// Adds the leaves of a tree: faces with `first_id` + ShapeIndex as their ids, and each crease

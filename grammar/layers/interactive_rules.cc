@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -75,6 +76,21 @@ std::optional<Placing> PlacingOf(const RuleSet& rules, const Rule& rule, Axis ax
   return Placing{*before, *extent, symbol};
 }
 
+/// A number of a layer that becomes another.
+struct Change {
+  TextRange range;
+  double from, to;
+};
+using Changes = std::array<Change, 4>;
+
+Changes ChangesOf(const InteractiveRules& found, const InteractiveLayer& layer) {
+  const InteractiveLayer& old = found.layer;
+  return {{{found.bottom, old.bottom, layer.bottom},
+           {found.left, old.left, layer.left},
+           {found.width, old.width, layer.width},
+           {found.height, old.height, layer.height}}};
+}
+
 /// Millimetres are finer than any hand.
 std::string Rounded(double metres) { return NumberText(std::round(metres * 1000) / 1000); }
 
@@ -104,22 +120,34 @@ std::vector<InteractiveRules> InteractiveLayersOf(const RuleSet& rules) {
 std::string TextWith(const RuleSet& rules, const InteractiveRules& found,
                      const InteractiveLayer& layer) {
   std::string text = rules.files[found.left.file].text;
-  const InteractiveLayer& old = found.layer;
-  struct Change {
-    TextRange range;
-    double from, to;
-  };
-  Change changes[] = {{found.bottom, old.bottom, layer.bottom},
-                      {found.left, old.left, layer.left},
-                      {found.width, old.width, layer.width},
-                      {found.height, old.height, layer.height}};
-  std::sort(std::begin(changes), std::end(changes),
-            [](const Change& a, const Change& b) { return a.range.from > b.range.from; });
+  Changes changes = ChangesOf(found, layer);
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.range.from > b.range.from; });
+  std::optional<uint32_t> done;  // where a number stands that two of them share
   for (const Change& change : changes) {
-    if (change.from == change.to) continue;
+    if (change.from == change.to || change.range.from == done) continue;
     text.replace(change.range.from, change.range.to - change.range.from, Rounded(change.to));
+    done = change.range.from;
   }
   return text;
+}
+
+InteractiveLayer Following(const InteractiveRules& one, const InteractiveRules& changed,
+                           const InteractiveLayer& layer) {
+  const Changes changes = ChangesOf(changed, layer);
+  const auto now = [&](const TextRange& range, double number) {
+    for (const Change& change : changes) {
+      const bool same = change.range.file == range.file && change.range.from == range.from;
+      if (same && change.from != change.to) return change.to;
+    }
+    return number;
+  };
+  InteractiveLayer then = one.layer;
+  then.bottom = now(one.bottom, then.bottom);
+  then.left = now(one.left, then.left);
+  then.width = now(one.width, then.width);
+  then.height = now(one.height, then.height);
+  return then;
 }
 
 std::string RulesTextOf(const InteractiveLayer& layer) {

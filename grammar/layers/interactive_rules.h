@@ -26,9 +26,15 @@ struct InteractiveRules {
 std::vector<InteractiveRules> InteractiveLayersOf(const RuleSet& rules);
 
 /// The text of the file with `layer`'s numbers in the place of the old ones, to the millimetre; all
-/// else stays as it was, to the byte. Where layers share an attribute, all of them follow.
+/// else stays as it was, to the byte. Where layers share an attribute, all of them follow; where
+/// numbers of the layer do, the first that changed of bottom, left, width, height counts.
 std::string TextWith(const RuleSet& rules, const InteractiveRules& found,
                      const InteractiveLayer& layer);
+
+/// What `one` is once TextWith has written `layer` in the place of `changed`: its numbers that
+/// stand where those that changed did are the same. Itself, if none does.
+InteractiveLayer Following(const InteractiveRules& one, const InteractiveRules& changed,
+                           const InteractiveLayer& layer);
 
 /// The two rules as text: InteractiveLayer(Name, Payload, bottom, left, width, height) of Listing
 /// 8.2. The tile's symbol is the name with "VTile" after it.

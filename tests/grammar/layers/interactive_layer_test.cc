@@ -100,6 +100,37 @@ TEST(InteractiveRules, UnchangedLayersLeaveTheTextAsItIs) {
   }
 }
 
+TEST(InteractiveRules, NumbersThatShareAnAttributeChangeItOnce) {
+  const RuleSet rules = Rules(
+      "attr side = 1.5\n"
+      "A --> segment(x, 2, side, ~1) { NIL | T | NIL }\n"
+      "T --> segment(y, 1, side, ~1) { NIL | P | NIL }\n");
+  const auto found = InteractiveLayersOf(rules);
+  ASSERT_THAT(found, SizeIs(1));
+  const std::string text = TextWith(rules, found[0], Resize(found[0].layer, 10.125, 0.5));
+  EXPECT_THAT(text, HasSubstr("attr side = 11.625\n"));
+  EXPECT_THAT(TextWith(rules, found[0], Resize(found[0].layer, 0, 0.5)),
+              HasSubstr("attr side = 2\n"));
+}
+
+TEST(InteractiveRules, WhatSharesANumberFollows) {
+  const RuleSet rules = Rules(
+      "attr sill = 1\nattr side = 1.5\n"
+      "A --> segment(x, 2, side, ~1) { NIL | T | NIL }\n"
+      "T --> segment(y, sill, side, ~1) { NIL | P | NIL }\n"
+      "B --> segment(x, 5, 2, ~1) { NIL | S | NIL }\n"
+      "S --> segment(y, sill, 2, ~1) { NIL | P | NIL }\n");
+  const auto found = InteractiveLayersOf(rules);
+  ASSERT_THAT(found, SizeIs(2));
+  const InteractiveLayer moved = Resize(Drag(found[0].layer, 0.5, 1), 0, 0.25);
+  for (const InteractiveRules& one : found) {
+    const auto read = InteractiveLayersOf(Rules(TextWith(rules, found[0], moved)));
+    EXPECT_EQ(Following(one, found[0], moved), read.at(&one - found.data()).layer);
+  }
+  EXPECT_EQ(Following(found[1], found[0], moved).bottom, 1.5);
+  EXPECT_EQ(Following(found[1], found[0], found[0].layer), found[1].layer);
+}
+
 TEST(InteractiveRules, ReadBackFromTheirText) {
   const auto found = InteractiveLayersOf(Rules(RulesTextOf(kWindows) + RulesTextOf(kDoor)));
   ASSERT_THAT(found, SizeIs(2));

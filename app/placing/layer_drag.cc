@@ -1,0 +1,95 @@
+#include "app/placing/layer_drag.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parti::app {
+namespace {
+
+using grammar::InteractiveLayer;
+
+constexpr double kSameFrame_m = 1e-9;
+
+bool SameFrame(const grammar::Scope& a, const grammar::Scope& b) {
+  return glm::distance(a.origin, b.origin) <= kSameFrame_m &&
+         glm::distance(a.size, b.size) <= kSameFrame_m;
+}
+
+/// Whether pulling the one moves the other, too: nothing to snap to.
+bool ShareNumbers(const grammar::InteractiveRules& a, const grammar::InteractiveRules& b) {
+  for (const auto& mine : {a.bottom, a.left, a.width, a.height}) {
+    for (const auto& theirs : {b.bottom, b.left, b.width, b.height}) {
+      if (mine.file == theirs.file && mine.from == theirs.from) return true;
+    }
+  }
+  return false;
+}
+
+LayerDragParams At(LayerDragParams params, double scale) {
+  params.reach_px *= scale;
+  params.still_px *= scale;
+  params.snap_px *= scale;
+  return params;
+}
+
+/// Within the face, or where it took hold beside it.
+double Within(double at, double from, double size) {
+  return std::clamp(at, std::min(0.0, from), std::max(size, from));
+}
+
+}  // namespace
+
+LayerDrag::LayerDrag(std::shared_ptr<const PlacedLayers> placed, const LayerGrip& grip)
+    : placed_(std::move(placed)), grip_(grip) {
+  const PlacedLayer& mine = held();
+  for (const PlacedLayer& other : placed_->layers) {
+    if (SameFrame(other.frame, mine.frame) && !ShareNumbers(other.rules, mine.rules)) {
+      others_.push_back(other.rules.layer);
+    }
+  }
+  others_.push_back({"", "", 0, 0, mine.frame.size.x, mine.frame.size.y});
+  others_.push_back(mine.rules.layer);
+  now_.layer = mine.rules.layer;
+}
+
+std::optional<LayerDrag> LayerDrag::Begin(std::shared_ptr<const PlacedLayers> placed,
+                                          const View& view, const Vec2& px, double scale,
+                                          const LayerDragParams& params) {
+  const LayerDragParams scaled = At(params, scale);
+  const auto grip = GripAt(*placed, view, px, scaled.reach_px);
+  if (!grip) return std::nullopt;
+  const auto from = OnFrame(placed->layers[grip->layer].frame, view, px);
+  if (!from) return std::nullopt;
+  LayerDrag drag(std::move(placed), *grip);
+  drag.params_ = scaled;
+  drag.from_px_ = px;
+  drag.from_ = *from;
+  return drag;
+}
+
+void LayerDrag::MoveTo(const View& view, const Vec2& px) {
+  const grammar::Scope& frame = held().frame;
+  const auto at = OnFrame(frame, view, px);
+  if (!at) return;
+  moved_ |= glm::distance(px, from_px_) > params_.still_px;
+  if (!moved_) return;
+  const Vec2 there(Within(at->x, from_.x, frame.size.x), Within(at->y, from_.y, frame.size.y));
+  const Vec2 by = glm::round((there - from_) / params_.step_m) * params_.step_m;
+  const InteractiveLayer pulled = grammar::Pulled(held().rules.layer, grip_.handle, by.y, by.x);
+  const double px_per_m = view.PixelsPerMetre(frame.ToWorld({there, 0}));
+  const double reach_m = px_per_m > 0 ? params_.snap_px / px_per_m : 0;
+  now_ = grammar::Snapped(pulled, grip_.handle, others_, reach_m);
+}
+
+InteractiveLayer LayerDrag::LayerNow(size_t layer) const {
+  return grammar::Following(placed_->layers[layer].rules, held().rules, now_.layer);
+}
+
+std::optional<grammar::RuleFile> LayerDrag::Outcome() const {
+  const grammar::RuleFile& file = placed_->rules->files[held().rules.left.file];
+  std::string text = grammar::TextWith(*placed_->rules, held().rules, now_.layer);
+  if (text == file.text) return std::nullopt;
+  return grammar::RuleFile{file.name, std::move(text)};
+}
+
+}  // namespace parti::app

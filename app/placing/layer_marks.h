@@ -1,0 +1,23 @@
+// How elements that are placed by hand look over the picture: their rectangles with handles, and
+// the lines that one which is dragged has in common with others.
+// Which there are and what is dragged is layer_drag.h's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/overlay.h"
+#include "app/placing/layer_drag.h"
+
+namespace parti::app {
+
+/// Adds the layers of a face as they are. `meant`: what a pen would take hold of.
+void AddLayerMarks(const PlacedLayers& placed, const std::optional<LayerGrip>& meant,
+                   const View& view, std::vector<render::Mark>* marks,
+                   const DrawingStyle& style = {});
+
+/// The same while one is dragged: where they would be, and what it snapped to.
+void AddLayerMarks(const LayerDrag& drag, const View& view, std::vector<render::Mark>* marks,
+                   const DrawingStyle& style = {});
+
+}  // namespace parti::app
