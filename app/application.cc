@@ -1,5 +1,6 @@
 #include "app/application.h"
 
+#include <linux/input-event-codes.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -98,6 +99,7 @@ Result<void> Application::Start() {
                                    [this](SessionRequest r) { return Post(std::move(r)); });
   folders_.Ask(listed_);
   SettingsChanged();
+  placing_.SetState(snapshot_->state, snapshot_->executed);
   told_ = snapshot_->state->camera;
   looking_.Set(told_);
   if (told_ == Camera{}) looking_.Set(ViewFor(ViewRequest::kFit, told_, FirstGround()));
@@ -117,6 +119,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
   if (queries_.ready().Clear()) marks_stale_ = true;
+  marks_stale_ |= placing_.Update();
   if (auto tried = trials_.TakeNewest()) picture_->SetState(std::move(tried));
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
@@ -130,7 +133,8 @@ bool Application::Settled() const {
   return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
          !canvas_->NeedsDraw() && !sync_at_s_ &&
          !((panels_stale_ || word_stale_) && !ink_->drawing()) && !display_->HasNews() &&
-         fed_.empty() && !folders_.busy() && !trials_.busy() && !queries_.busy();
+         fed_.empty() && !folders_.busy() && !trials_.busy() && !queries_.busy() &&
+         !placing_.busy();
 }
 
 void Application::Wait(double wait_s, std::span<const int> also) const {
@@ -144,6 +148,7 @@ void Application::Wait(double wait_s, std::span<const int> also) const {
   fds.push_back({folders_.ready().fd(), POLLIN, 0});
   fds.push_back({trials_.ready().fd(), POLLIN, 0});
   fds.push_back({queries_.ready().fd(), POLLIN, 0});
+  fds.push_back({placing_.ready().fd(), POLLIN, 0});
   for (const int fd : also) fds.push_back({fd, POLLIN, 0});
   poll(fds.data(), fds.size(), static_cast<int>(std::ceil(wait_s * 1000)));
 }
@@ -153,6 +158,9 @@ void Application::Take(const DisplayNews& news) {
   if (news.resized) Resized();
   if (news.exposed || news.shown) canvas_->DamageAll();
   for (const InputEvent& event : news.input) {
+    const auto* touch = std::get_if<TouchEvent>(&event);
+    const bool lands = touch && touch->kind == TouchEvent::Kind::kDown;
+    marks_stale_ |= lands && placing_.CancelOf(touch->device);
     TakeAll(hands_.Feed(event, [this](const Vec2& px) { return OverPanel(px); }));
     if (std::holds_alternative<DeviceEvent>(event)) panels_stale_ = true;
   }
@@ -182,6 +190,7 @@ void Application::TakeSnapshot() {
     LookFrom(told_);
   }
   if (!trials_.going_on()) picture_->SetState(snapshot_->state);
+  placing_.SetState(snapshot_->state, snapshot_->executed);
   ink_->Show(*snapshot_, looking_.camera());
   overlay_stale_ = panels_stale_ = true;
 }
@@ -235,6 +244,7 @@ void Application::Looked(bool changed) {
   ink_->Show(*snapshot_, looking_.camera());
   marks_stale_ = true;
   hovering_.End();
+  placing_.HoverEnd();
   SetPenWord("");
   // Looking around in an empty document is no reason to begin one on the disk.
   if (posted_ > 0 || !snapshot_->state->model.lots().empty()) sync_at_s_ = Now_s() + kRest_s;
@@ -268,13 +278,21 @@ void Application::Take(const input::TapGesture& tap) {
 
 void Application::Take(const HoverAct& act) {
   pen_.position_px = act.px;
-  marks_stale_ |= hovering_.At(act.px, *picture_, looking_.camera(), display_->scale());
-  SetPenWord(hovering_.word());
+  // What would be placed goes before what would be selected.
+  const View view(looking_.camera());
+  marks_stale_ |= act.would == PenAct::kSelect ? placing_.HoverAt(act.px, view, display_->scale())
+                                               : placing_.HoverEnd();
+  const std::string placed = placing_.word();
+  marks_stale_ |= placed.empty()
+                      ? hovering_.At(act.px, *picture_, looking_.camera(), display_->scale())
+                      : hovering_.End();
+  SetPenWord(placed.empty() ? hovering_.word() : placed);
 }
 
 void Application::Take(const HoverEndAct&) {
   pen_.position_px.reset();
   marks_stale_ |= hovering_.End();
+  marks_stale_ |= placing_.HoverEnd();
   SetPenWord("");
 }
 
@@ -289,6 +307,10 @@ void Application::Take(const PanelAct& act) {
   if (!key) {
     if (PassesOver(act.event)) return;
     return panel_events_.push_back(act.event);
+  }
+  if (key->pressed && key->code == KEY_ESC && placing_.Cancel()) {
+    marks_stale_ = true;
+    return;
   }
   RunPanels({act.event});  // only they know whether it was theirs: a field, the focus, a sheet
   if (!panel_output_->takes_keys) static_cast<void>(TakeShortcut(*key));
@@ -307,7 +329,7 @@ void Application::Take(const DragAct& act) {
       ink_->Erase(act, display_->scale(), *snapshot_->state, looking_.camera());
       break;
     case PenAct::kSelect:
-      SweepSelect(act);
+      if (!PlaceByHand(act)) SweepSelect(act);
       break;
     case PenAct::kOrbit:
     case PenAct::kPan:
@@ -342,6 +364,15 @@ void Application::SweepSelect(const DragAct& drag) {
   if (!swept_.empty() || !snapshot_->state->selection.shapes.empty()) {
     Post(Command(Select{swept_}));
   }
+}
+
+bool Application::PlaceByHand(const DragAct& drag) {
+  PlacingStep step = placing_.Take(drag, View(looking_.camera()), display_->scale());
+  if (!step.taken) return false;
+  marks_stale_ = true;
+  if (step.tapped) SelectUnder(drag.px);
+  if (step.command) placing_.Await(Post(Command(std::move(*step.command))));
+  return true;
 }
 
 bool Application::TakeShortcut(const KeyEvent& key) {
@@ -441,6 +472,7 @@ void Application::ShowMarks() {
   std::vector<render::Mark> marks;
   Project(overlay_, view, &marks);
   if (const WorldMarks* selected = queries_.marks()) Project({*selected}, view, &marks);
+  placing_.AddMarks(view, &marks);
   hovering_.AddMarks(*picture_, view, &marks);
   canvas_->SetMarksBelowPanels(std::move(marks));
   overlay_stale_ = marks_stale_ = false;

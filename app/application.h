@@ -18,6 +18,7 @@
 #include "app/model_picture.h"
 #include "app/overlay.h"
 #include "app/panels/panels.h"
+#include "app/placing/placing.h"
 #include "app/query_preview.h"
 #include "app/session_thread.h"
 #include "app/settings.h"
@@ -96,6 +97,8 @@ class Application {
   bool TakeShortcut(const KeyEvent& key);
   void SelectUnder(const Vec2& px);
   void SweepSelect(const DragAct& drag);
+  /// Whether the drag places an element by hand.
+  bool PlaceByHand(const DragAct& drag);
   void Looked(bool changed);
   void LookFrom(const Camera& camera);
   /// Tells the session where the camera is, if it does not know.
@@ -126,6 +129,7 @@ class Application {
   LatestWorker<Settings, Result<void>> keeper_;
   Trials trials_;
   QueryPreviews queries_;
+  Placing placing_;
 
   std::shared_ptr<const SessionSnapshot> snapshot_;
   const PanelOutput* panel_output_ = nullptr;

@@ -61,11 +61,11 @@ inline std::shared_ptr<const PlacedLayers> PlacedBy(const std::string& text) {
       PlacedLayersOf(model, {VisibleIn(model, "Facade")}, RulesInReach(*source)));
 }
 
-/// 40 m in front of the façade, askew.
+/// Some 20 m in front of the façade, askew.
 inline Camera CameraBefore() {
   Camera camera;
-  camera.eye = {4, 7, 44};
-  camera.target = {9, 4, 14};
+  camera.eye = {6, 7, 36};
+  camera.target = {9.5, 4, 14};
   return camera;
 }
 

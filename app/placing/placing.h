@@ -1,0 +1,91 @@
+// Placing by hand in the application: what of the face in hand can be placed, the drag that goes
+// on, and the command that it ends in. The face is looked up beside the thread that draws. What a
+// drag does is layer_drag.h's; which drags come here is application.h's.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/hands.h"
+#include "app/latest_worker.h"
+#include "app/placing/layer_marks.h"
+
+namespace parti::app {
+
+/// What a drag of act kSelect came to.
+struct PlacingStep {
+  bool taken = false;   ///< it places, or did until it was cancelled: it selects nothing
+  bool tapped = false;  ///< it took hold of an element, but stayed where it was
+  std::optional<SetRuleText> command = {};  ///< to be posted: the drag has ended elsewhere
+};
+
+/// Used by the thread that draws; owns one that looks at rules. Nothing is lost by cancelling: only
+/// the command changes the model.
+/// Properties: (1) a drag that is taken is taken until it ends; (2) a cancelled one gives no
+/// command, nor does one whose rules have changed meanwhile.
+class Placing {
+ public:
+  /// The newest state, and up to which request it is.
+  void SetState(std::shared_ptr<const SessionState> state, uint64_t executed);
+  /// Shows what has been found since; whether marks look different. Call it when ready() wakes.
+  bool Update();
+
+  /// One report of a drag of act kSelect, seen in this view. scale: of the display.
+  PlacingStep Take(const DragAct& drag, const View& view, double scale);
+  /// The command of the last drag was posted as request `number`: until that is executed and looked
+  /// at, what was dragged is shown where it was left.
+  void Await(uint64_t number);
+  /// Lets go of what is dragged and leaves all as it was; whether anything was dragged.
+  bool Cancel();
+  /// The same where a finger of this device drags: a second one came down.
+  bool CancelOf(int device) { return device_ == device && Cancel(); }
+
+  /// A pen that would select hovers there. Whether marks look different.
+  bool HoverAt(const Vec2& px, const View& view, double scale);
+  bool HoverEnd();
+  /// "Door", "edge of Door": what the hovering pen would take hold of; "" nothing.
+  std::string word() const;
+
+  /// Adds what is to be seen of it in a view.
+  void AddMarks(const View& view, std::vector<render::Mark>* marks) const;
+
+  /// Whether the face in hand of the newest state is still to be looked at.
+  bool busy() const { return !UpToDate(); }
+  const WakeFd& ready() const { return worker_.ready(); }
+
+ private:
+  using State = std::shared_ptr<const SessionState>;
+  struct Found {
+    State state;
+    std::shared_ptr<const PlacedLayers> placed;
+  };
+  /// Keeps the rules that it read last.
+  class Finder {
+   public:
+    Found operator()(const State& state);
+
+   private:
+    std::shared_ptr<const RuleSource> source_;
+    std::shared_ptr<const grammar::RuleSet> rules_;
+  };
+
+  bool UpToDate() const { return found_.state == state_; }
+  void LetGoOfLeft();
+  PlacingStep Begin(const DragAct& drag, const View& view, double scale);
+  PlacingStep End(const DragAct& drag, const View& view);
+
+  State state_;
+  uint64_t executed_ = 0;
+  Found found_;                    // of the newest state that has been looked at
+  std::optional<LayerDrag> drag_;  // that goes on
+  std::optional<LayerDrag> left_;  // that has ended, and is not to be seen in the model yet
+  uint64_t left_request_ = 0;
+  std::optional<int> device_;  // whose drag is taken
+  std::optional<LayerGrip> meant_;
+  LatestWorker<State, Found> worker_{Finder()};
+};
+
+}  // namespace parti::app
