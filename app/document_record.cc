@@ -198,9 +198,9 @@ Result<std::shared_ptr<const Ground>> RecordReader::Lots(const StateParts& parts
   if (!source_text) return known = GroundOf(std::move(*lots));
   auto rules = RuleSourceFrom(*source_text);
   if (!rules) return Fail(rules);
-  auto ground = GroundOf(std::move(*lots), std::make_shared<const RuleSource>(std::move(*rules)));
-  if (!ground) return Fail(ground);
-  return known = std::move(*ground);
+  // Derived where it is needed: most states are never gone back to.
+  return known = std::make_shared<const Ground>(Ground{
+             std::move(*lots), {}, std::make_shared<const RuleSource>(std::move(*rules)), nullptr});
 }
 
 Result<std::shared_ptr<const grammar::Trees>> RecordReader::Rules(const StateParts& parts) {

@@ -14,7 +14,9 @@ tl::expected<OpenedModel, std::vector<Error>> FromDocument(const std::string& pa
   const auto document = OpenDocument(path);
   if (!document) return Failed({document.error()});
   const SessionRecord& present = PresentOf(*document);
-  auto model = Derived(present.ground, present.rules, nullptr, grammar::Unfit::kSkip);
+  auto ground = WithRoots(present.ground);
+  if (!ground) return Failed({ground.error()});
+  auto model = Derived(std::move(*ground), present.rules, nullptr, grammar::Unfit::kSkip);
   if (!model) return Failed({model.error()});
   return OpenedModel{std::move(*model), present.camera};
 }

@@ -14,15 +14,25 @@ bool IsThere(const Model& model, const ShapeRef& ref) {
 }  // namespace
 
 SessionRecord RecordOf(const SessionState& state) {
-  return {state.model.ground,     state.model.rules,  state.sketch.strokes,
-          state.sketch.unread,    state.sketch.query, state.sketch.target,
-          state.selection.shapes, state.views,        state.in_hand,
-          state.just_made,        state.camera};
+  const auto& ground = state.model.ground;
+  return {ground->underived ? ground->underived : ground,
+          state.model.rules,
+          state.sketch.strokes,
+          state.sketch.unread,
+          state.sketch.query,
+          state.sketch.target,
+          state.selection.shapes,
+          state.views,
+          state.in_hand,
+          state.just_made,
+          state.camera};
 }
 
 Result<SessionState> Restore(const SessionRecord& record, const SessionOptions& options,
                              const Model* nearby) {
-  auto model = Derived(record.ground, record.rules, nearby, grammar::Unfit::kSkip);
+  auto ground = WithRoots(record.ground, nearby);
+  if (!ground) return Fail(ground);
+  auto model = Derived(std::move(*ground), record.rules, nearby, grammar::Unfit::kSkip);
   if (!model) return Fail(model);
   SessionState state;
   state.camera = record.camera;

@@ -15,7 +15,7 @@ namespace parti::app {
 /// Small: a few numbers, and two shared parts that most steps have in common with the step before
 /// (equal pointers mean equal values).
 struct SessionRecord {
-  std::shared_ptr<const Ground> ground;         ///< not null
+  std::shared_ptr<const Ground> ground;         ///< not null; without roots where rules make them
   std::shared_ptr<const grammar::Trees> rules;  ///< not null
   /// Sketch::strokes and Sketch::unread; files keep their numbers.
   std::vector<std::shared_ptr<const DrawnStroke>> strokes, unread;
@@ -34,7 +34,8 @@ SessionRecord RecordOf(const SessionState& state);
 /// The state again: derives, reads the sketch and generalises the selection as the session did.
 /// What no longer fits (a shape that another version of the program does not make) is left out.
 /// Nodes that are as in `nearby` (may be null) are not run again, if it stands on the same ground.
-/// errors  none but those of a derivation that skips what is unfit: a record of a state has one.
+/// errors  none but those of a derivation that skips what is unfit: a record of a state has one;
+///         those of WithRoots, where an asset is gone or time is short.
 /// Property: (1) Restore(RecordOf(s)) is s in everything but `steps`.
 Result<SessionState> Restore(const SessionRecord& record, const SessionOptions& options,
                              const Model* nearby = nullptr);

@@ -44,7 +44,22 @@ Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
   }
   ground->lots = std::move(lots);
   ground->source = std::move(source);
+  ground->underived =
+      std::make_shared<const Ground>(Ground{ground->lots, {}, ground->source, nullptr});
   return ground;
+}
+
+Result<std::shared_ptr<const Ground>> WithRoots(std::shared_ptr<const Ground> ground,
+                                                const Model* nearby) {
+  if (ground->roots.size() == ground->lots.size()) return ground;
+  if (nearby != nullptr && nearby->ground->underived == ground) return nearby->ground;
+  const auto rules = RulesOf(*ground->source);
+  if (!rules) return tl::unexpected<Error>(rules.error().front());
+  auto made = GroundOf(ground->lots, ground->source, *rules);
+  if (!made) return Fail(made);
+  Ground rooted = **made;
+  rooted.underived = std::move(ground);
+  return std::make_shared<const Ground>(std::move(rooted));
 }
 
 Result<Model> BuiltOn(std::vector<Lot> lots, grammar::Trees trees, grammar::Unfit unfit) {

@@ -32,6 +32,8 @@ struct Ground {
   /// One per lot: its tree before any selection-action tree has run; what the source's rules made.
   std::vector<std::shared_ptr<const grammar::ShapeTree>> roots;
   std::shared_ptr<const RuleSource> source;  ///< null: no rules, each root is its lot alone
+  /// The same without roots, where rules made them: what undo keeps of distant steps. Else null.
+  std::shared_ptr<const Ground> underived;
 };
 
 /// A node that some shapes of a lot could not take: it stays, and acts on the others.
@@ -66,6 +68,11 @@ Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
                                                std::shared_ptr<const RuleSource> source,
                                                const grammar::RuleSet& rules,
                                                const grammar::RuleThreads& threads = {});
+
+/// The ground with its roots: itself where it has them; that of `nearby` (may be null) where that
+/// is the same ground; else derived anew. errors  as GroundOf's.
+Result<std::shared_ptr<const Ground>> WithRoots(std::shared_ptr<const Ground> ground,
+                                                const Model* nearby = nullptr);
 
 /// A model on these lots.
 /// errors  those of grammar::Derive; the message names the lot where there are several.

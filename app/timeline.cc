@@ -37,6 +37,13 @@ size_t NewStrokeBytes(const Strokes& strokes, const Strokes* before) {
   return bytes;
 }
 
+size_t SourceBytes(const SessionRecord& record) {
+  size_t bytes = 0;
+  if (!record.ground->source) return bytes;
+  for (const grammar::RuleFile& file : record.ground->source->files) bytes += file.text.size();
+  return bytes;
+}
+
 /// What a record takes that `before` (may be null) does not have too.
 size_t RecordBytes(const SessionRecord& record, const SessionRecord* before) {
   size_t bytes = sizeof(TimelineStep);
@@ -44,6 +51,7 @@ size_t RecordBytes(const SessionRecord& record, const SessionRecord* before) {
   bytes += NewStrokeBytes(record.strokes, before ? &before->strokes : nullptr);
   bytes += NewStrokeBytes(record.unread, before ? &before->unread : nullptr);
   bytes += record.selection.size() * sizeof(ShapeRef) + record.views.size() * sizeof(NamedView);
+  if (before == nullptr || before->ground != record.ground) bytes += SourceBytes(record);
   if (before == nullptr || before->rules != record.rules) bytes += RulesBytes(*record.rules);
   return bytes;
 }

@@ -175,6 +175,23 @@ TEST_F(RuleEditsTest, WhatWasTypedIsInTheDocumentWithItsUndo) {
   EXPECT_EQ(Count(".Floor"), 2u);
 }
 
+TEST_F(RuleEditsTest, DistantStepsKeepNoShapesAndAreDerivedAgain) {
+  SessionOptions little;
+  little.undo.bytes = 100'000;
+  session = Session(session.state().model, Camera(), little);
+  for (int height = 7; height < 27; ++height) {
+    Do(Typed(HouseWith("height = 6", "height = " + std::to_string(height))));
+  }
+  const auto& first = session.timeline().step(session.timeline().span().first);
+  EXPECT_FALSE(first.state);
+  EXPECT_THAT(first.record.ground->roots, IsEmpty());
+  EXPECT_EQ(Count(".Floor"), 9u);
+  for (int i = 0; i < 20; ++i) Do("undo");
+  EXPECT_EQ(Count(".Floor"), 2u);
+  for (int i = 0; i < 20; ++i) Do("redo");
+  EXPECT_EQ(Count(".Floor"), 9u);
+}
+
 TEST_F(RuleEditsTest, TheHistoryReplayedMakesTheSameBuilding) {
   Do(Typed(HouseWith("height = 6", "height = 12")));
   Do(R"(layers {"rules":[["Facade.door","Gate"]]})");
