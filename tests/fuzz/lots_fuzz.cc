@@ -1,5 +1,5 @@
-// Any bytes as a file of lots (rings, GeoJSON, CityJSON): lots that can be built on, or an error for
-// each that can't; never a crash.
+// Any bytes as a file of lots (rings, GeoJSON, CityJSON): lots that can be built on, or an error
+// for each that can't; never a crash.
 #include <cmath>
 #include <cstdint>
 
