@@ -112,8 +112,7 @@ Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
 
 Result<void> CheckItem(const grammar::Item& item) {
   const Vec3& size = item.scope.size;
-  const double area =
-      grammar::IsFlat(item.type) ? size.x * size.y : size.x * size.y * size.z;
+  const double area = grammar::IsFlat(item.type) ? size.x * size.y : size.x * size.y * size.z;
   if (std::isfinite(area) && area > 0) return {};
   return Fail(ErrorCode::kDegenerateGeometry, "the shape that was drawn on has no size",
               "draw on a shape that has an area");
