@@ -61,10 +61,10 @@ TEST(RuleErrors, AForgottenBraceEndsAtTheNextRule) {
 }
 
 TEST(RuleErrors, BracketsThatStandAlone) {
-  EXPECT_THAT(WrongWith("A --> X ] Y\nB --> split(x) { ~1: [ X | ~1: [ X ] ] Y }\n"),
-              ElementsAre(StartsWith("1:9 ']' closes nothing"),
-                          StartsWith("2:22 '[' is never closed"),
-                          StartsWith("2:38 ']' closes nothing")));
+  EXPECT_THAT(
+      WrongWith("A --> X ] Y\nB --> split(x) { ~1: [ X | ~1: [ X ] ] Y }\n"),
+      ElementsAre(StartsWith("1:9 ']' closes nothing"), StartsWith("2:22 '[' is never closed"),
+                  StartsWith("2:38 ']' closes nothing")));
 }
 
 TEST(RuleErrors, SuggestWhatWasMeant) {
