@@ -21,8 +21,7 @@ TEST(CommandTest, EveryCommandReadsBackAsWritten) {
                            "rewrite tree house { .Lot --> extrude(9) Mass }",
                            R"~(rule-text {"file":"a b.cga","text":"// ü\nLot --> extrude(9)\n"})~",
                            "layers {}",
-                           R"(layers {"off":["Facade.door"],"order":[["Facade",["door"]]],)"
-                           R"("rules":[["Facade.door","Gate"]]})",
+                           R"(layers {"off":["F.a"],"order":[["F",["a"]]],"rules":[["F.a","B"]]})",
                            "clear",
                            "undo",
                            "redo",

@@ -19,7 +19,8 @@ TestScene FacadeOf(int side, Windows windows) {
       scene.Layers("layers(\"a\", \"b\", \"c\", \"d\", \"e\") { A | B | C | D | E }");
   Random random(1);
   for (int i = 0; i < side * side; ++i) {
-    const Vec2 tile(3.0 * (i % side), 3.0 * (i / side));
+    const int column = i % side, row = i / side;
+    const Vec2 tile(3.0 * column, 3.0 * row);
     const Vec2 at = tile + Vec2(random.Uniform(0.5, 0.9), random.Uniform(0.8, 1.2));
     scene.Add(layers[0], tile, tile + Vec2(3, 3));
     if (windows == Windows::kArches) {

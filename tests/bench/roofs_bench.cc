@@ -43,39 +43,39 @@ void OverOutlines(benchmark::State& state, const Make& make) {
   }
 }
 
-void BM_HipRoof(benchmark::State& state) {
+void BenchHipRoof(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return HipRoof(p, {false, 35}, 0); });
 }
-void BM_HipRoofWithOverhang(benchmark::State& state) {
+void BenchHipRoofWithOverhang(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return HipRoof(p, {false, 35}, 0.6); });
 }
-void BM_GableRoof(benchmark::State& state) {
+void BenchGableRoof(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return GableRoof(p, {false, 35}, {}, Vec2(0, -1)); });
 }
-void BM_Inset(benchmark::State& state) {
+void BenchInset(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return Offset(p, 0.8); });
 }
-void BM_Outset(benchmark::State& state) {
+void BenchOutset(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return Offset(p, -0.8); });
 }
-void BM_SetbackOfHalfTheEdges(benchmark::State& state) {
+void BenchSetbackOfHalfTheEdges(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) {
     std::vector<EdgeSetback> edges(p.outer.size());
     for (size_t i = 0; i < edges.size(); i += 2) edges[i] = {1.5, 0};
     return Setback(p, edges);
   });
 }
-void BM_InnerRectangle(benchmark::State& state) {
+void BenchInnerRectangle(benchmark::State& state) {
   OverOutlines(state, [](const Polygon& p) { return InnerRectangle(p, Vec2(1, 0)); });
 }
 
-BENCHMARK(BM_HipRoof)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_HipRoofWithOverhang)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_GableRoof)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Inset)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Outset)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_SetbackOfHalfTheEdges)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_InnerRectangle)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchHipRoof)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchHipRoofWithOverhang)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchGableRoof)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchInset)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchOutset)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchSetbackOfHalfTheEdges)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BenchInnerRectangle)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace parti::grammar

@@ -34,7 +34,10 @@ Item LotAt(double x, double z, double width, double depth) {
 /// 20 by 20 lots of a village.
 std::vector<Item> Village() {
   std::vector<Item> lots;
-  for (int i = 0; i < 400; ++i) lots.push_back(LotAt(i % 20 * 12.0, i / 20 * 15.0, 8, 11));
+  for (int i = 0; i < 400; ++i) {
+    const int column = i % 20, row = i / 20;
+    lots.push_back(LotAt(column * 12.0, row * 15.0, 8, 11));
+  }
   return lots;
 }
 

@@ -78,7 +78,7 @@ void SoakMix::Do(const Share& share, SoakTarget* target) {
 
 /// Keeps the building of a size that a person would work on, and takes the pen again when scribbles
 /// have tapped another tool.
-void SoakMix::Tidy(SoakTarget* target) {
+void SoakMix::Tidy(SoakTarget* target) const {
   if (moments_ % kTakesPen == 0) target->TakePen();
   const auto now = target->Newest();
   const auto& trees = now->state->model.trees();

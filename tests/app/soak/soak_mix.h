@@ -41,7 +41,7 @@ class SoakMix {
   void Look(SoakTarget* target);
   void Document(SoakTarget* target);
   void Resize(SoakTarget* target);
-  void Tidy(SoakTarget* target);
+  void Tidy(SoakTarget* target) const;
 
   int Below(int n) { return static_cast<int>(random_.Next() % static_cast<uint64_t>(n)); }
   PenEvent Pen(PenEvent::Kind kind, const Vec2& at_mm);
