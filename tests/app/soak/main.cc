@@ -34,7 +34,7 @@ constexpr double kCheckEvery_s = 360;
 constexpr size_t kSlack = size_t{8} << 20;
 // Of those that were noted: the newest, and what pictures and workers were last made of. What is
 // kept by mistake is kept each time.
-constexpr size_t kStates = 12;
+constexpr size_t kStates = 8;
 
 size_t BytesInUse() {
 #if defined(__SANITIZE_ADDRESS__)
@@ -49,8 +49,10 @@ size_t BytesInUse() {
 /// of the states before it is kept.
 class Watch {
  public:
-  /// Notes a state, to see later whether it went.
-  void See(const std::shared_ptr<const app::SessionState>& state) { seen_.emplace_back(state); }
+  /// Notes a state, to see later whether it went. Most moments leave the one before.
+  void See(const std::shared_ptr<const app::SessionState>& state) {
+    if (seen_.empty() || seen_.back().lock() != state) seen_.emplace_back(state);
+  }
 
   /// The document that is open, then a new one. Returns whether all is well.
   bool Check(SoakTarget* target, double clock_s) {
