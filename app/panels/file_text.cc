@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "app/panels/words.h"
-
 namespace parti::app::panels {
 namespace {
 
@@ -54,14 +52,6 @@ std::vector<grammar::RuleFile> TextsOf(const Model& model, const TypedFiles& typ
   return files;
 }
 
-void AddNote(const Error& error, FileLines* file) {
-  if (file->lines.empty()) file->lines.emplace_back();
-  const int last = static_cast<int>(file->lines.size());
-  const int number = error.place ? std::clamp(error.place->line, 1, last) : last;
-  const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
-  file->lines[static_cast<size_t>(number - 1)].notes.push_back(Capital(error.message) + hint + ".");
-}
-
 /// What is wrong with one typed file, the others being as they are in force.
 std::vector<Error> ErrorsIn(const RuleSource& in_force, const grammar::RuleFile& typed) {
   RuleSource source = in_force;
@@ -78,7 +68,7 @@ void AddErrors(const std::vector<Error>& errors, FileLines* typed, std::vector<F
     const auto at = std::find_if(all->begin(), all->end(), [&](const FileLines& file) {
       return error.place && file.file == error.place->file;
     });
-    AddNote(error, at == all->end() ? typed : &*at);
+    AddNote(error, at == all->end() ? &typed->lines : &at->lines);
   }
 }
 
@@ -86,7 +76,7 @@ void AddErrors(const std::vector<Error>& errors, FileLines* typed, std::vector<F
 void AddFailure(const SessionSnapshot& session, const TypedFiles& typed, FileLines* file) {
   const auto& failed = session.last_error;
   if (!failed || failed->number <= typed.failed_before || !failed->error.place) return;
-  if (failed->error.place->file == file->file) AddNote(failed->error, file);
+  if (failed->error.place->file == file->file) AddNote(failed->error, &file->lines);
 }
 
 }  // namespace

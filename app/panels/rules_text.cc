@@ -49,12 +49,7 @@ void AddNotesOfRuns(const SessionState& state, std::vector<RulesLine>* lines) {
 void AddErrors(const std::vector<std::string>& typed, std::vector<RulesLine>* lines) {
   const auto read = grammar::ParseTrees(Joined(typed, '\n'));
   if (read || lines->empty()) return;
-  for (const Error& error : read.error()) {
-    const int last = static_cast<int>(lines->size());
-    const int number = error.place ? std::clamp(error.place->line, 1, last) : last;
-    const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
-    (*lines)[static_cast<size_t>(number - 1)].notes.push_back(Capital(error.message) + hint + ".");
-  }
+  for (const Error& error : read.error()) AddNote(error, lines);
 }
 
 std::vector<std::string> TextLines(const SessionState& state, const TypedRules& typed) {
@@ -62,6 +57,14 @@ std::vector<std::string> TextLines(const SessionState& state, const TypedRules& 
 }
 
 }  // namespace
+
+void AddNote(const Error& error, std::vector<RulesLine>* lines) {
+  if (lines->empty()) lines->emplace_back();
+  const int last = static_cast<int>(lines->size());
+  const int number = error.place ? std::clamp(error.place->line, 1, last) : last;
+  const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
+  (*lines)[static_cast<size_t>(number - 1)].notes.push_back(Capital(error.message) + hint + ".");
+}
 
 std::vector<RulesLine> LinesOf(const SessionState& state, const TypedRules& typed) {
   std::vector<RulesLine> lines;

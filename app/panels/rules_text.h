@@ -20,6 +20,10 @@ struct RulesLine {
   std::vector<std::string> notes{};  ///< what is wrong here, and what its last run had to say
 };
 
+/// Notes what is wrong at the line of its place; without a place, or past the last line, there. A
+/// text without lines gets one.
+void AddNote(const Error& error, std::vector<RulesLine>* lines);
+
 /// Text that was typed and can't be read yet.
 struct TypedRules {
   std::vector<std::string> lines;  ///< empty: nothing is typed, the rules are what they are

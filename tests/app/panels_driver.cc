@@ -83,6 +83,18 @@ std::vector<PanelCommand> PanelDriver::Type(const std::string& text) {
   return Done();
 }
 
+std::vector<PanelCommand> PanelDriver::TypeOver(const std::string& line, const std::string& text) {
+  Tap(line);
+  Type(text);
+  return Key(KEY_ENTER);
+}
+
+bool PanelDriver::Says(const std::string& text) {
+  const auto& texts = Frame().texts;
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const PanelText& t) { return t.text.find(text) != std::string::npos; });
+}
+
 std::vector<PanelCommand> PanelDriver::PressByKeys(const std::string& name) {
   const std::string full = Find(name).name;
   for (size_t i = 0; i < last_->targets.size() + 2; ++i) {

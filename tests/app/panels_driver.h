@@ -31,6 +31,10 @@ class PanelDriver {
   /// Press and release.
   std::vector<PanelCommand> Key(uint32_t code, const std::string& text = "");
   std::vector<PanelCommand> Type(const std::string& text);
+  /// Taps a line of text, types another one and presses Enter.
+  std::vector<PanelCommand> TypeOver(const std::string& line, const std::string& text);
+  /// Whether a line of text holds this.
+  bool Says(const std::string& text);
   /// Tab until the name has the focus, then Enter.
   std::vector<PanelCommand> PressByKeys(const std::string& name);
 

@@ -25,16 +25,6 @@ class PanelsFiles : public ::testing::Test {
     panels_.view.size_px = {1600, 2400};
     if (!panels_.Shows("Rules/As text")) panels_.Tap("Menu/Rules");
   }
-  std::vector<PanelCommand> TypeOver(const std::string& line, const std::string& text) {
-    panels_.Tap(line);
-    panels_.Type(text);
-    return panels_.Key(KEY_ENTER);
-  }
-  bool Says(const std::string& text) {
-    const auto& texts = panels_.Frame().texts;
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const PanelText& t) { return t.text.find(text) != std::string::npos; });
-  }
   /// The model after the one command that was sent, if it is one that can be done.
   void Obey(const std::vector<PanelCommand>& sent) {
     ASSERT_THAT(sent, SizeIs(1));
@@ -50,36 +40,36 @@ class PanelsFiles : public ::testing::Test {
 };
 
 TEST_F(PanelsFiles, ABuildingOfFilesSaysWhereItsRulesAre) {
-  EXPECT_TRUE(Says("rule files"));
+  EXPECT_TRUE(panels_.Says("rule files"));
   panels_.Tap("Rules/As text");
-  EXPECT_TRUE(Says("roof.cga"));
-  EXPECT_TRUE(Says("Flat --> extrude(0.3) Slab"));
+  EXPECT_TRUE(panels_.Says("roof.cga"));
+  EXPECT_TRUE(panels_.Says("Flat --> extrude(0.3) Slab"));
 }
 
 TEST_F(PanelsFiles, ALineOfAFileIsTypedOver) {
   panels_.Tap("Rules/As text");
   const std::string before = Source().files[0].text;
   const auto before_typing = panels_.view.session;
-  Obey(TypeOver("Rules/house.cga 3", "attr height = 13"));
+  Obey(panels_.TypeOver("Rules/house.cga 3", "attr height = 13"));
   std::string expected = before;
   expected.replace(expected.find("height = 10"), 11, "height = 13");
   EXPECT_EQ(Source().files[0].text, expected) << "and nothing else";
-  EXPECT_TRUE(Says("attr height = 13"));
-  EXPECT_FALSE(Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says("attr height = 13"));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
   Show(before_typing);
-  EXPECT_TRUE(Says("attr height = 10")) << "undone, what was typed does not come back";
-  EXPECT_FALSE(Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says("attr height = 10")) << "undone, what was typed does not come back";
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
 }
 
 TEST_F(PanelsFiles, TypedTextKeepsItsIndentation) {
   panels_.Tap("Rules/As text");
-  Obey(TypeOver("Rules/house.cga 9", "{ Floors | Sign | Shop }"));
+  Obey(panels_.TypeOver("Rules/house.cga 9", "{ Floors | Sign | Shop }"));
   EXPECT_THAT(Source().files[0].text, HasSubstr("\n  { Floors | Sign | Shop }\n"));
 }
 
 TEST_F(PanelsFiles, LinesAreAddedAndTakenOut) {
   panels_.Tap("Rules/As text");
-  Obey(TypeOver("Rules/roof.cga end", "Steep --> extrude(2)"));
+  Obey(panels_.TypeOver("Rules/roof.cga end", "Steep --> extrude(2)"));
   EXPECT_EQ(Source().files[1].text, "Flat --> extrude(0.3) Slab\nSteep --> extrude(2)\n");
   panels_.Tap("Rules/roof.cga 2");
   panels_.Key(KEY_BACKSPACE);
@@ -89,28 +79,29 @@ TEST_F(PanelsFiles, LinesAreAddedAndTakenOut) {
 
 TEST_F(PanelsFiles, WhatCantBeReadWaitsAndSaysSoAtItsLine) {
   panels_.Tap("Rules/As text");
-  EXPECT_THAT(TypeOver("Rules/house.cga 5", "Lot --> extrud(height) Mass"), IsEmpty());
-  EXPECT_TRUE(Says("'extrude'?"));
-  EXPECT_TRUE(Says("Not in force yet"));
-  EXPECT_THAT(TypeOver("Rules/house.cga 13", "Window --> extrude(-0.2, 3, 4) Glass"), IsEmpty());
-  EXPECT_THAT(TypeOver("Rules/house.cga 5", "Lot --> extrude(height) Mass"), IsEmpty())
+  EXPECT_THAT(panels_.TypeOver("Rules/house.cga 5", "Lot --> extrud(height) Mass"), IsEmpty());
+  EXPECT_TRUE(panels_.Says("'extrude'?"));
+  EXPECT_TRUE(panels_.Says("Not in force yet"));
+  EXPECT_THAT(panels_.TypeOver("Rules/house.cga 13", "Window --> extrude(-0.2, 3, 4) Glass"),
+              IsEmpty());
+  EXPECT_THAT(panels_.TypeOver("Rules/house.cga 5", "Lot --> extrude(height) Mass"), IsEmpty())
       << "the other line is still wrong";
-  const auto sent = TypeOver("Rules/house.cga 13", "Window --> extrude(-0.3) Glass");
+  const auto sent = panels_.TypeOver("Rules/house.cga 13", "Window --> extrude(-0.3) Glass");
   Obey(sent);
-  EXPECT_FALSE(Says("Not in force yet"));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
 }
 
 TEST_F(PanelsFiles, WhatWaitsCanBeTakenBack) {
   panels_.Tap("Rules/As text");
-  TypeOver("Rules/house.cga 5", "Lot --> {{{");
+  panels_.TypeOver("Rules/house.cga 5", "Lot --> {{{");
   panels_.Tap("Rules/Back house.cga");
-  EXPECT_FALSE(Says("Not in force yet"));
-  EXPECT_TRUE(Says("Lot --> extrude(height) Mass"));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says("Lot --> extrude(height) Mass"));
 }
 
 TEST_F(PanelsFiles, WhatCantBeDerivedSaysSoAtItsLineAndIsNotLost) {
   panels_.Tap("Rules/As text");
-  ASSERT_THAT(TypeOver("Rules/house.cga 5", "Lot --> extrude(height / 0) Mass"), SizeIs(1));
+  ASSERT_THAT(panels_.TypeOver("Rules/house.cga 5", "Lot --> extrude(height / 0) Mass"), SizeIs(1));
   const Model& model = panels_.view.session->state->model;
   const std::string text = Source().files[0].text;
   std::string typed = text;
@@ -120,8 +111,8 @@ TEST_F(PanelsFiles, WhatCantBeDerivedSaysSoAtItsLineAndIsNotLost) {
   auto failed = std::make_shared<SessionSnapshot>(*panels_.view.session);
   failed->last_error = FailedRequest{1, refused.error().front()};
   panels_.view.session = failed;
-  EXPECT_TRUE(Says("extrude(height / 0)"));
-  EXPECT_TRUE(Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says("extrude(height / 0)"));
+  EXPECT_TRUE(panels_.Says("Not in force yet"));
   panels::TypedFiles waiting;
   EXPECT_TRUE(panels::TypeOver(*panels_.view.session, "house.cga", 4,
                                "Lot --> extrude(height / 0) Mass", &waiting));
@@ -159,7 +150,7 @@ TEST_F(PanelsLayers, AreGivenAnotherRuleAndTheirOwnAgain) {
   panels_.Tap("Rules/Facade.shop");
   Obey(panels_.Tap("Rules/Facade.shop gets Door"));
   EXPECT_THAT(Edits().rules, ElementsAre(Pair("Facade.shop", "Door")));
-  EXPECT_TRUE(Says("Door, not Shop"));
+  EXPECT_TRUE(panels_.Says("Door, not Shop"));
   EXPECT_FALSE(panels_.Shows("Facade.shop gets Door")) << "it is picked";
   panels_.Tap("Rules/Facade.shop");
   Obey(panels_.Tap("Rules/Facade.shop gets "));
@@ -167,11 +158,11 @@ TEST_F(PanelsLayers, AreGivenAnotherRuleAndTheirOwnAgain) {
 }
 
 TEST_F(PanelsLayers, OfTheFaceInHandAreShownAlone) {
-  EXPECT_TRUE(Says("of all rules"));
+  EXPECT_TRUE(panels_.Says("of all rules"));
   Show(LayeredHouse(".Board"));
-  EXPECT_TRUE(Says("of the face in hand"));
+  EXPECT_TRUE(panels_.Says("of the face in hand"));
   Show(LayeredHouse(".Wall"));
-  EXPECT_TRUE(Says("of all rules")) << "that one has none";
+  EXPECT_TRUE(panels_.Says("of all rules")) << "that one has none";
 }
 
 TEST(PanelsWithoutFiles, ADrawnBuildingHasNoLayers) {

@@ -60,21 +60,11 @@ class PanelsRulesText : public PanelsRules {
     PanelsRules::SetUp();
     panels_.Tap("Rules/As text");
   }
-  std::vector<PanelCommand> TypeOver(const std::string& line, const std::string& text) {
-    panels_.Tap(line);
-    panels_.Type(text);
-    return panels_.Key(KEY_ENTER);
-  }
-  bool Says(const std::string& text) {
-    const auto& texts = panels_.Frame().texts;
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const PanelText& t) { return t.text.find(text) != std::string::npos; });
-  }
 };
 
 TEST_F(PanelsRulesText, ALineIsTypedOver) {
-  EXPECT_TRUE(Says(".Frame --> extrude(0.15)"));
-  const auto sent = TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)");
+  EXPECT_TRUE(panels_.Says(".Frame --> extrude(0.15)"));
+  const auto sent = panels_.TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)");
   ASSERT_EQ(sent.size(), 1u);
   const auto& rewrite = std::get<Rewrite>(std::get<Command>(sent[0]));
   EXPECT_NE(rewrite.text.find(".Frame --> extrude(0.25) .RoofBorder"), std::string::npos)
@@ -83,17 +73,17 @@ TEST_F(PanelsRulesText, ALineIsTypedOver) {
 }
 
 TEST_F(PanelsRulesText, WhatCantBeReadWaitsAndSaysSoAtItsLine) {
-  EXPECT_THAT(TypeOver("Rules/Line 19", ".Frame --> extrud(0.25)"), IsEmpty());
-  EXPECT_TRUE(Says("'extrude'?"));
-  EXPECT_TRUE(Says("Not in force yet"));
-  EXPECT_THAT(TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)"), ::testing::SizeIs(1));
+  EXPECT_THAT(panels_.TypeOver("Rules/Line 19", ".Frame --> extrud(0.25)"), IsEmpty());
+  EXPECT_TRUE(panels_.Says("'extrude'?"));
+  EXPECT_TRUE(panels_.Says("Not in force yet"));
+  EXPECT_THAT(panels_.TypeOver("Rules/Line 19", ".Frame --> extrude(0.25)"), ::testing::SizeIs(1));
 }
 
 TEST_F(PanelsRulesText, WhatWaitsCanBeTakenBack) {
-  TypeOver("Rules/Line 19", "{{{");
+  panels_.TypeOver("Rules/Line 19", "{{{");
   panels_.Tap("Rules/Back to the rules in force");
-  EXPECT_FALSE(Says("Not in force yet"));
-  EXPECT_TRUE(Says(".Frame --> extrude(0.15)"));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says(".Frame --> extrude(0.15)"));
 }
 
 TEST_F(PanelsRulesText, AnEmptiedLineIsTakenOut) {
