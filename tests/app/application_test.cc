@@ -6,91 +6,24 @@
 
 #include <sstream>
 
-#include "app/display/offscreen_display.h"
 #include "app/play.h"
 #include "app/replay.h"
 #include "base/text_file.h"
 #include "grammar/query.h"
+#include "tests/app/application_driver.h"
 #include "tests/support/data.h"
 #include "tests/support/golden.h"
-#include "tests/support/program.h"
 
-namespace parti::app {
+namespace parti::app::tests {
 namespace {
 
+using parti::tests::Compare;
+using parti::tests::ExpectGolden;
+using parti::tests::SourceFile;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr int kPen = 0, kTouch = 1;
-
-/// A pen tablet of 160 x 100 mm and a touch screen of that size on a view of 1600 x 1000 px.
-class ApplicationTest : public testing::Test {
- protected:
-  void SetUp() override {
-    auto display = OffscreenDisplay::Create();
-    ASSERT_TRUE(display) << FormatError(display.error());
-    display_ = std::move(*display);
-    const std::string folder = tests::TestFolder();
-    SessionThreadOptions options;
-    options.folders = {folder + "/data", folder + "/state"};
-    session_ = std::make_unique<SessionThread>(options);
-    auto application = Application::Create(display_.get(), session_.get(), {});
-    ASSERT_TRUE(application) << FormatError(application.error());
-    application_ = std::move(*application);
-  }
-
-  void Settle() {
-    const auto settled = app::Settle(application_.get());
-    ASSERT_TRUE(settled) << FormatError(settled.error());
-  }
-  void Do(const std::string& line) {
-    application_->Do(PanelCommand(*ParseCommand(line)));
-    Settle();
-  }
-  void PlugIn() {
-    DeviceFacts pen, touch;
-    pen.has_pen = touch.has_touch = true;
-    pen.size_mm = touch.size_mm = Vec2(160, 100);
-    display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, kPen, pen});
-    display_->Inject(DeviceEvent{DeviceEvent::Kind::kAdded, 0, kTouch, touch});
-  }
-  void Pen(PenEvent::Kind kind, const Vec2& px) {
-    PenEvent event;
-    event.kind = kind;
-    event.device = kPen;
-    event.t_s = t_s_ += 0.005;
-    event.position_mm = px / 10.0;
-    event.pressure = 0.5;
-    display_->Inject(event);
-  }
-  /// Without lifting it.
-  void Draw(const Vec2& from, const Vec2& to) {
-    Pen(PenEvent::Kind::kProximityIn, from);
-    Pen(PenEvent::Kind::kDown, from);
-    for (int i = 1; i <= 40; ++i) Pen(PenEvent::Kind::kMotion, from + (to - from) * (i / 40.0));
-  }
-  void Lift(const Vec2& at) {
-    Pen(PenEvent::Kind::kUp, at);
-    Pen(PenEvent::Kind::kProximityOut, at);
-  }
-  void Line(const Vec2& from, const Vec2& to) {
-    Draw(from, to);
-    Lift(to);
-    Settle();
-  }
-  void Finger(TouchEvent::Kind kind, int finger, const Vec2& px) {
-    display_->Inject(TouchEvent{kind, kTouch, finger, t_s_ += 0.01, px / 10.0});
-  }
-
-  const SessionState& state() const { return *application_->snapshot().state; }
-  /// Where a point of the world is seen.
-  Vec2 Pixel(const Vec3& point) const { return *View(application_->camera()).Project(point); }
-
-  std::unique_ptr<OffscreenDisplay> display_;
-  std::unique_ptr<SessionThread> session_;
-  std::unique_ptr<Application> application_;
-  double t_s_ = 1;
-};
+class ApplicationTest : public ApplicationDriver {};
 
 TEST_F(ApplicationTest, ALineUpFromTheLotAndATapOnItsSuggestionMakeABuilding) {
   PlugIn();
@@ -98,22 +31,13 @@ TEST_F(ApplicationTest, ALineUpFromTheLotAndATapOnItsSuggestionMakeABuilding) {
   Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
   Line(Pixel({0, 0, 14}), Pixel({0, 9, 14}));
   ASSERT_THAT(state().sketch.suggestions, testing::Not(IsEmpty()));
-  const auto cards = application_->panels().targets;
-  const auto card = std::find_if(cards.begin(), cards.end(), [](const PanelTarget& target) {
-    return target.name.starts_with("Suggestions/1 ") && target.visible;
-  });
-  ASSERT_NE(card, cards.end()) << "no card to tap";
-  const Vec2 middle = (card->low_px + card->high_px) * 0.5;
-  Pen(PenEvent::Kind::kProximityIn, middle);
-  Pen(PenEvent::Kind::kDown, middle);
-  Lift(middle);
-  Settle();
+  TapOn("Suggestions/1 ");
   EXPECT_THAT(grammar::TextOf(state().model.trees()), HasSubstr("extrude"));
   EXPECT_THAT(state().sketch.strokes, IsEmpty());
 }
 
 TEST_F(ApplicationTest, TheDemoGivesTheSameRulesAsItsReplay) {
-  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  const auto text = ReadFile(SourceFile("assets/drawings/house.pen"));
   ASSERT_TRUE(text);
   const input::Drawing drawing = input::ReadDrawing(*text).drawing;
   const auto played = Play(drawing, application_.get());
@@ -127,7 +51,7 @@ TEST_F(ApplicationTest, TheDemoGivesTheSameRulesAsItsReplay) {
 
 /// The demo up to its pick `number`, from 1, which is left out.
 input::Drawing DemoUntilPick(int number) {
-  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  const auto text = ReadFile(SourceFile("assets/drawings/house.pen"));
   EXPECT_TRUE(text);
   std::string cut;
   std::istringstream lines(*text);
@@ -142,9 +66,7 @@ TEST_F(ApplicationTest, HalfWayThroughTheDemoInkSuggestionsAndRulesAreSeen) {
   ASSERT_TRUE(played) << FormatError(played.error());
   Settle();
   EXPECT_EQ(state().sketch.strokes.size(), 4u);
-  const auto screenshot = application_->Screenshot();
-  ASSERT_TRUE(screenshot);
-  tests::ExpectGolden(*screenshot, "application_sketch");
+  ExpectGolden(Seen(), "application_sketch");
 }
 
 /// The part of a picture about a pixel.
@@ -160,7 +82,7 @@ render::Image Around(const render::Image& image, const Vec2& middle, const glm::
 }
 
 TEST_F(ApplicationTest, TheWordForWhatThePenHoversOverIsBesideItsTip) {
-  const auto text = ReadFile(tests::SourceFile("assets/drawings/house.pen"));
+  const auto text = ReadFile(SourceFile("assets/drawings/house.pen"));
   ASSERT_TRUE(text && Play(input::ReadDrawing(*text).drawing, application_.get()));
   PlugIn();
   const auto glass =
@@ -170,9 +92,7 @@ TEST_F(ApplicationTest, TheWordForWhatThePenHoversOverIsBesideItsTip) {
   const Vec2 corner = Pixel(scope.origin + scope.x * scope.size.x);
   Pen(PenEvent::Kind::kProximityIn, corner + Vec2(-2, -2));
   Settle();
-  const auto screenshot = application_->Screenshot();
-  ASSERT_TRUE(screenshot);
-  tests::ExpectGolden(Around(*screenshot, corner, {480, 300}), "../../docs/panels/hover-light-1x");
+  ExpectGolden(Around(Seen(), corner, {480, 300}), "../../docs/panels/hover-light-1x");
 }
 
 TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
@@ -183,7 +103,7 @@ TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
   const auto shown = display_->ReadPixels();
   const auto anew = application_->Screenshot();
   ASSERT_TRUE(shown && anew);
-  EXPECT_EQ(tests::Compare(*shown, *anew, {2, 0}).pixels, 0u);
+  EXPECT_EQ(Compare(*shown, *anew, {2, 0}).pixels, 0u);
 }
 
 TEST_F(ApplicationTest, NothingIsDrawnWhileNothingChanges) {
@@ -257,11 +177,7 @@ TEST_F(ApplicationTest, ATapOnAShapeSelectsIt) {
   PlugIn();
   Do("lot rect(20,14)");
   Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
-  const Vec2 middle = Pixel({10, 0, 7});
-  Pen(PenEvent::Kind::kProximityIn, middle);
-  Pen(PenEvent::Kind::kDown, middle);
-  Lift(middle);
-  Settle();
+  TapAt(Pixel({10, 0, 7}));
   EXPECT_EQ(state().selection.shapes.size(), 1u);
 }
 
@@ -272,13 +188,13 @@ TEST_F(ApplicationTest, AHoveringPenMarksWhatItMeans) {
   const auto at = [&](const Vec2& px) {
     Pen(PenEvent::Kind::kProximityIn, px);
     Settle();
-    return *application_->Screenshot();
+    return Seen();
   };
   const auto away = at(Pixel({-30, 0, 0}));
   const auto on_face = at(Pixel({10, 0, 7}));
   const auto on_corner = at(Pixel({0.05, 0, 13.95}));
-  EXPECT_GT(tests::Compare(away, on_face, {2, 0}).pixels, 100u) << "the outline of the lot";
-  EXPECT_GT(tests::Compare(on_face, on_corner, {2, 0}).pixels, 20u) << "a dot on the corner";
+  EXPECT_GT(Compare(away, on_face, {2, 0}).pixels, 100u) << "the outline of the lot";
+  EXPECT_GT(Compare(on_face, on_corner, {2, 0}).pixels, 20u) << "a dot on the corner";
 }
 
 TEST_F(ApplicationTest, AHoveringPenIsToldWhatItMeans) {
@@ -288,9 +204,7 @@ TEST_F(ApplicationTest, AHoveringPenIsToldWhatItMeans) {
   const auto words_at = [&](const Vec2& px) {
     Pen(PenEvent::Kind::kProximityIn, px);
     Settle();
-    std::vector<std::string> words;
-    for (const PanelText& text : application_->panels().texts) words.emplace_back(text.text);
-    return words;
+    return Words();
   };
   EXPECT_THAT(words_at(Pixel({10, 0, 7})), testing::Contains("Lot"));
   EXPECT_THAT(words_at(Pixel({0.05, 0, 13.95})), testing::Contains("corner of Lot"));
@@ -366,4 +280,4 @@ TEST_F(ApplicationTest, ClosingIsSaidAndLosesNothing) {
 }
 
 }  // namespace
-}  // namespace parti::app
+}  // namespace parti::app::tests
