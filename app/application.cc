@@ -100,6 +100,7 @@ Result<void> Application::Start() {
   folders_.Ask(listed_);
   SettingsChanged();
   placing_.SetState(snapshot_->state, snapshot_->executed);
+  picture_->SetState(snapshot_->state);  // without a lot, too: what is drawn first needs its ground
   told_ = snapshot_->state->camera;
   looking_.Set(told_);
   if (told_ == Camera{}) looking_.Set(ViewFor(ViewRequest::kFit, told_, FirstGround()));

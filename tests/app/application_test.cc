@@ -95,6 +95,19 @@ TEST_F(ApplicationTest, TheWordForWhatThePenHoversOverIsBesideItsTip) {
   ExpectGolden(Around(Seen(), corner, {480, 300}), "../../docs/panels/hover-light-1x");
 }
 
+TEST_F(ApplicationTest, BeforeTheFirstLineThereIsGroundToDrawOn) {
+  Settle();
+  ExpectGolden(Seen(), "application_empty");
+}
+
+TEST_F(ApplicationTest, TheEmptyGroundTurnsWithTheCamera) {
+  Settle();
+  const auto before = Seen();
+  application_->Do(PanelCommand(ViewRequest::kAbove));
+  Settle();
+  EXPECT_GT(Compare(before, Seen(), {2, 0}).pixels, 10'000u);
+}
+
 TEST_F(ApplicationTest, WhatIsOnTheDisplayIsWhatAScreenshotShows) {
   PlugIn();
   Do("lot rect(20,14)");
