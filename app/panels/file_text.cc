@@ -72,6 +72,14 @@ void AddErrors(const std::vector<Error>& errors, FileLines* typed, std::vector<F
   }
 }
 
+bool SameTyped(const TypedFiles& a, const TypedFiles& b) {
+  return a.over == b.over && a.failed_before == b.failed_before &&
+         std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
+                    [](const grammar::RuleFile& one, const grammar::RuleFile& other) {
+                      return one.name == other.name && one.text == other.text;
+                    });
+}
+
 /// What a derivation of the typed text said, at its line.
 void AddFailure(const SessionSnapshot& session, const TypedFiles& typed, FileLines* file) {
   const auto& failed = session.last_error;
@@ -98,6 +106,19 @@ std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles&
     if (file->is_read) AddFailure(session, typed, &*file);
   }
   return files;
+}
+
+const std::vector<FileLines>& KnownFiles::Of(const SessionSnapshot& session,
+                                             const TypedFiles& typed) {
+  const auto& source = session.state->model.ground->source;
+  const uint64_t failed = session.last_error ? session.last_error->number : 0;
+  if (source != source_ || failed != failed_ || !SameTyped(typed, typed_)) {
+    files_ = FilesOf(session, typed);
+    source_ = source;
+    typed_ = typed;
+    failed_ = failed;
+  }
+  return files_;
 }
 
 std::optional<SetRuleText> TypeOver(const SessionSnapshot& session, const std::string& file,

@@ -36,7 +36,21 @@ struct FileLines {
 };
 
 /// The files that are in force, or what is typed over them; none for a building without files.
+/// cost  reads all texts while one waits; KnownFiles does so once.
 std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles& typed);
+
+/// FilesOf for frame after frame.
+class KnownFiles {
+ public:
+  /// Stays as it is until a call with other texts, in force or typed, or another failure.
+  const std::vector<FileLines>& Of(const SessionSnapshot& session, const TypedFiles& typed);
+
+ private:
+  std::shared_ptr<const RuleSource> source_;
+  TypedFiles typed_;
+  uint64_t failed_ = 0;
+  std::vector<FileLines> files_;
+};
 
 /// Types `text` over a line of a file, or after its last where `line` is the number of lines; an
 /// empty text takes the line out. What can be read is the command to send; it and what can't be

@@ -29,6 +29,7 @@ struct Memory {
   RulesAs rules_as = RulesAs::kRows;
   TypedRules typed_rules;
   TypedFiles typed_files;
+  KnownFiles known_files;
   KnownRules known_rules;
   std::string open_layer;  ///< "Facade.door": its rule is being picked; "" none
   uint64_t dismissed = 0;  ///< FailedRequest::number that was read

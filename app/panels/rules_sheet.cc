@@ -211,7 +211,7 @@ const char* WordsFor(const Ui& ui) { return HasFiles(ui) ? kOnlyFiles : kNoRules
 float ListHeight(Ui* ui, Memory* memory, const std::vector<RowText>& rows, float width) {
   switch (ShownAs(*ui, memory, !rows.empty())) {
     case RulesAs::kText:
-      return RulesTextHeight(ui, *memory, width);
+      return RulesTextHeight(ui, memory, width);
     case RulesAs::kLayers:
       return LayersHeight(ui, memory, width);
     case RulesAs::kRows:

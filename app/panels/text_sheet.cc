@@ -141,26 +141,25 @@ void Trees(Ui* ui, TypedRules* typed_rules, const std::vector<RulesLine>& lines,
   }
 }
 
-float All(Ui* ui, TypedFiles* typed_files, TypedRules* typed_rules, Texts texts) {
+float All(Ui* ui, Memory* memory, Texts texts) {
   if (!ui->view().session) return 0;
-  const std::vector<FileLines> files = FilesOf(*ui->view().session, *typed_files);
-  for (const FileLines& file : files) File(ui, typed_files, file, &texts);
-  const std::vector<RulesLine> trees = LinesOf(*ui->view().session->state, *typed_rules);
+  const SessionSnapshot& session = *ui->view().session;
+  const std::vector<FileLines>& files = memory->known_files.Of(session, memory->typed_files);
+  for (const FileLines& file : files) File(ui, &memory->typed_files, file, &texts);
+  const std::vector<RulesLine> trees = LinesOf(*session.state, memory->typed_rules);
   if (!files.empty() && !trees.empty()) texts.Heading(kTrees);
-  Trees(ui, typed_rules, trees, &texts);
+  Trees(ui, &memory->typed_rules, trees, &texts);
   return texts.height();
 }
 
 }  // namespace
 
-float RulesTextHeight(Ui* ui, const Memory& memory, float width) {
-  TypedFiles files = memory.typed_files;
-  TypedRules rules = memory.typed_rules;
-  return All(ui, &files, &rules, Texts(ui, {0, 0, width, 0}, false));
+float RulesTextHeight(Ui* ui, Memory* memory, float width) {
+  return All(ui, memory, Texts(ui, {0, 0, width, 0}, false));
 }
 
 void DrawRulesText(Ui* ui, Memory* memory, const Box& list) {
-  All(ui, &memory->typed_files, &memory->typed_rules, Texts(ui, list, true));
+  All(ui, memory, Texts(ui, list, true));
 }
 
 }  // namespace parti::app::panels

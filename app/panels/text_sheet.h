@@ -8,7 +8,7 @@
 namespace parti::app::panels {
 
 /// Of all lines in a list of this width, px.
-float RulesTextHeight(Ui* ui, const Memory& memory, float width);
+float RulesTextHeight(Ui* ui, Memory* memory, float width);
 
 /// Draws them into a list.
 void DrawRulesText(Ui* ui, Memory* memory, const Box& list);

@@ -122,6 +122,24 @@ TEST_F(PanelsFiles, WhatCantBeDerivedSaysSoAtItsLineAndIsNotLost) {
   EXPECT_THAT(lines[5].notes, IsEmpty());
 }
 
+TEST_F(PanelsFiles, TextsAreReadAnewOnlyWhereTheyChange) {
+  panels::KnownFiles known;
+  panels::TypedFiles typed;
+  const auto session = panels_.view.session;
+  const auto* at_first = known.Of(*session, typed).data();
+  EXPECT_EQ(known.Of(*std::make_shared<SessionSnapshot>(*session), typed).data(), at_first);
+  EXPECT_FALSE(panels::TypeOver(*session, "house.cga", 4, "Lot --> {{{", &typed));
+  const auto* waiting = known.Of(*session, typed).data();
+  EXPECT_THAT(waiting[0].lines[4].text, "Lot --> {{{");
+  EXPECT_EQ(known.Of(*session, typed).data(), waiting);
+  auto failed = *session;
+  failed.last_error = FailedRequest{1, {}};
+  EXPECT_NE(known.Of(failed, typed).data(), waiting);
+  typed = {};
+  EXPECT_THAT(known.Of(failed, typed)[0].lines[4].text, HasSubstr("extrude"));
+  EXPECT_FALSE(known.Of(failed, typed)[0].waits);
+}
+
 class PanelsLayers : public PanelsFiles {
  protected:
   void SetUp() override {
