@@ -80,9 +80,10 @@ std::vector<ShapeRef> KeptShapes(const Model& before, const std::vector<ShapeRef
   std::vector<ShapeRef> kept;
   for (ShapeRef ref : shapes) {
     std::optional<ShapeRef> same = SameIn(after, before, ref);
-    while (!same && ShapeAt(before, ref).parent != grammar::kNoShape) {
-      ref.shape = ShapeAt(before, ref).parent;
-      if (ShapeAt(before, ref).parent != grammar::kNoShape) same = SameIn(after, before, ref);
+    const grammar::ShapeTree& tree = before.derived[ref.lot]->tree;
+    while (!same && ref.shape != 0) {
+      ref.shape = tree.node(ref.shape).parent;
+      if (ref.shape != 0) same = SameIn(after, before, ref);
     }
     if (same && std::find(kept.begin(), kept.end(), *same) == kept.end()) kept.push_back(*same);
   }

@@ -22,7 +22,7 @@ bool LiesOn(const Plane& plane, const Segment3& edge) {
 /// Its own name, else that of the nearest shape above it that has one.
 std::string NameOf(const Model& model, const ShapeRef& ref) {
   const grammar::ShapeTree& tree = model.derived[ref.lot]->tree;
-  for (auto shape = ref.shape; shape != grammar::kNoShape; shape = tree[shape].parent) {
+  for (auto shape = ref.shape; shape != grammar::kNoShape; shape = tree.node(shape).parent) {
     const std::string_view name = tree.Name(tree[shape].symbol);
     if (!name.empty()) return std::string(name);
   }

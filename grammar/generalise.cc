@@ -19,10 +19,10 @@ struct Place {
 };
 
 Place PlaceOf(const ShapeTree& tree, ShapeIndex shape) {
-  const ShapeIndex parent = tree[shape].parent;
+  const ShapeIndex parent = tree.node(shape).parent;
   if (parent == kNoShape) return {};
   Place place{0, 0};
-  for (ShapeIndex s = tree[parent].first_child; s != kNoShape; s = tree[s].next_sibling) {
+  for (ShapeIndex s = tree.node(parent).first_child; s != kNoShape; s = tree.node(s).next_sibling) {
     if (tree[s].symbol != tree[shape].symbol) continue;
     ++place.count;
     if (s == shape) place.position = place.count;
@@ -113,7 +113,7 @@ std::vector<Level> LevelsOf(std::span<const ShapeTree* const> trees,
     if (AreFaces(trees, shapes)) level.places.clear();
     levels.push_back(std::move(level));
     for (TappedShape& t : shapes) {
-      t.shape = (*trees[t.tree])[t.shape].parent;
+      t.shape = trees[t.tree]->node(t.shape).parent;
       if (t.shape == kNoShape) return levels;
     }
   }

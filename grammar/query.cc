@@ -72,10 +72,10 @@ std::vector<ShapeIndex> Below(const ShapeTree& tree, const std::vector<ShapeInde
   for (const ShapeIndex root : roots) {
     size_t next = found.size();
     for (ShapeIndex above = root;; above = found[next++]) {
-      ShapeIndex child = tree[above].first_child;
+      ShapeIndex child = tree.node(above).first_child;
       // Whatever has one child seen has all of them seen, and what is below them.
       if (child != kNoShape && seen[child] == 0) {
-        for (; child != kNoShape; child = tree[child].next_sibling) {
+        for (; child != kNoShape; child = tree.node(child).next_sibling) {
           seen[child] = 1;
           found.push_back(child);
         }
@@ -91,7 +91,8 @@ std::vector<ShapeIndex> Below(const ShapeTree& tree, const std::vector<ShapeInde
 std::vector<ShapeIndex> ChildrenOf(const ShapeTree& tree, const std::vector<ShapeIndex>& parents) {
   std::vector<ShapeIndex> children;
   for (const ShapeIndex parent : parents) {
-    for (ShapeIndex i = tree[parent].first_child; i != kNoShape; i = tree[i].next_sibling) {
+    for (ShapeIndex i = tree.node(parent).first_child; i != kNoShape;
+         i = tree.node(i).next_sibling) {
       children.push_back(i);
     }
   }
@@ -105,7 +106,7 @@ std::vector<ShapeIndex> SiblingsOf(const ShapeTree& tree, const std::vector<Shap
   Mask taken(tree.size(), 0);
   std::vector<ShapeIndex> parents;
   for (const ShapeIndex i : shapes) {
-    const ShapeIndex parent = tree[i].parent;
+    const ShapeIndex parent = tree.node(i).parent;
     if (parent == kNoShape || taken[parent] != 0) continue;
     taken[parent] = 1;
     parents.push_back(parent);

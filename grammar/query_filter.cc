@@ -55,17 +55,17 @@ class Positions {
 
  private:
   void NumberSiblingsOf(ShapeIndex i) {
-    const ShapeIndex parent = tree_[i].parent;
+    const ShapeIndex parent = tree_.node(i).parent;
     if (parent == kNoShape) {
       numbers_[i] = {1, 1};
       return;
     }
     std::unordered_map<NameId, uint32_t> counts;
-    const ShapeIndex first = tree_[parent].first_child;
-    for (ShapeIndex s = first; s != kNoShape; s = tree_[s].next_sibling) {
+    const ShapeIndex first = tree_.node(parent).first_child;
+    for (ShapeIndex s = first; s != kNoShape; s = tree_.node(s).next_sibling) {
       numbers_[s].position = ++counts[tree_[s].symbol];
     }
-    for (ShapeIndex s = first; s != kNoShape; s = tree_[s].next_sibling) {
+    for (ShapeIndex s = first; s != kNoShape; s = tree_.node(s).next_sibling) {
       numbers_[s].count = counts[tree_[s].symbol];
     }
   }

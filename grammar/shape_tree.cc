@@ -20,8 +20,23 @@ bool IsOurs(const std::shared_ptr<T>& value) {
   return true;
 }
 
-/// Whether a leaf is a part of what is seen.
-bool IsSeen(const Shape& leaf) { return IsVisible(leaf.item.type) && !leaf.is_hidden; }
+/// Whether, as a leaf, it is a part of what is seen.
+bool IsSeen(const Shape& shape) { return IsVisible(shape.item.type) && !shape.is_hidden; }
+
+/// A tree's lot.
+Shape RootOf(Item lot, NameId symbol) {
+  Shape root;
+  root.item = std::move(lot);
+  root.symbol = symbol;
+  return root;
+}
+
+/// Where nothing stands above or below.
+ShapeNode NodeOf(const Shape& shape) {
+  ShapeNode node;
+  node.is_visible = IsSeen(shape);
+  return node;
+}
 
 /// "0/2/5" as numbers.
 Result<std::vector<uint32_t>> PathFrom(std::string_view id) {
@@ -42,45 +57,63 @@ Result<std::vector<uint32_t>> PathFrom(std::string_view id) {
 }  // namespace
 
 ShapeTree::ShapeTree(Item lot, std::string_view symbol) : names_(std::make_shared<Names>()) {
-  Shape root;
-  root.item = std::move(lot);
-  root.symbol = Intern(symbol);
-  Adopt(std::make_shared<Chunk>(1, std::move(root)));
+  Shape root = RootOf(std::move(lot), Intern(symbol));
+  const ShapeNode node = NodeOf(root);
+  Adopt(ChunkFrom(std::move(root), node, 1));
 }
 
 ShapeTree::ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of) : names_(names_of.names_) {
-  Shape root;
-  root.item = std::move(lot);
-  root.symbol = symbol;
-  Adopt(std::make_shared<Chunk>(1, std::move(root)));
+  Shape root = RootOf(std::move(lot), symbol);
+  const ShapeNode node = NodeOf(root);
+  Adopt(ChunkFrom(std::move(root), node, 1));
 }
 
 ShapeTree::Chunk& ShapeTree::WritableChunk(uint32_t chunk) {
   if (!IsOurs(chunks_[chunk])) {
-    auto shapes = std::make_shared<Chunk>();
-    if (chunk + 1 == chunks_.size()) shapes->reserve(kChunk);
-    shapes->insert(shapes->end(), chunks_[chunk]->begin(), chunks_[chunk]->end());
-    chunks_[chunk] = std::move(shapes);
+    const Chunk& shared = *chunks_[chunk];
+    auto own = std::make_shared<Chunk>();
+    if (chunk + 1 == chunks_.size()) {
+      own->shapes.reserve(kChunk);
+      own->nodes.reserve(kChunk);
+    }
+    own->shapes.insert(own->shapes.end(), shared.shapes.begin(), shared.shapes.end());
+    own->nodes.insert(own->nodes.end(), shared.nodes.begin(), shared.nodes.end());
+    chunks_[chunk] = std::move(own);
   }
   return *chunks_[chunk];
 }
 
-Shape& ShapeTree::Writable(ShapeIndex i) {
+Shape& ShapeTree::WritableShape(ShapeIndex i) {
   CHECK(i < size_, "a shape of this tree");
   const uint32_t chunk = ChunkOf(i);
-  return WritableChunk(chunk)[i - starts_[chunk]];
+  return WritableChunk(chunk).shapes[i - starts_[chunk]];
 }
 
-void ShapeTree::Push(Shape shape) {
+ShapeNode& ShapeTree::WritableNode(ShapeIndex i) {
+  CHECK(i < size_, "a shape of this tree");
+  const uint32_t chunk = ChunkOf(i);
+  return WritableChunk(chunk).nodes[i - starts_[chunk]];
+}
+
+std::shared_ptr<ShapeTree::Chunk> ShapeTree::ChunkFrom(Shape shape, const ShapeNode& node,
+                                                       uint32_t room) {
+  auto chunk = std::make_shared<Chunk>();
+  chunk->shapes.reserve(room);
+  chunk->nodes.reserve(room);
+  chunk->shapes.push_back(std::move(shape));
+  chunk->nodes.push_back(node);
+  return chunk;
+}
+
+void ShapeTree::Push(Shape shape, const ShapeNode& node) {
   const auto last = static_cast<uint32_t>(chunks_.size() - 1);
-  if (last == 0 || chunks_[last]->size() >= kChunk) {
-    auto chunk = std::make_shared<Chunk>();
-    chunk->reserve(kChunk);
-    chunk->push_back(std::move(shape));
-    return Adopt(std::move(chunk));
+  if (last == 0 || chunks_[last]->nodes.size() >= kChunk) {
+    return Adopt(ChunkFrom(std::move(shape), node, kChunk));
   }
   if (size_ % kChunk == 0) blocks_.push_back(last);
-  WritableChunk(last).push_back(std::move(shape));
+  Chunk& chunk = WritableChunk(last);
+  chunk.shapes.push_back(std::move(shape));
+  chunk.nodes.push_back(node);
   ++size_;
 }
 
@@ -89,7 +122,7 @@ void ShapeTree::Adopt(std::shared_ptr<Chunk> chunk) {
   const auto number = static_cast<uint32_t>(chunks_.size());
   starts_.back() = size_;
   starts_.push_back(kNoShape);
-  size_ += static_cast<uint32_t>(chunk->size());
+  size_ += static_cast<uint32_t>(chunk->nodes.size());
   while (blocks_.size() * kChunk < size_) blocks_.push_back(number);
   chunks_.push_back(std::move(chunk));
 }
@@ -105,37 +138,46 @@ ShapeIndex ShapeTree::Append(ShapeIndex parent, Item item, NameId symbol,
   std::sort(tags.begin(), tags.end());
   tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
   shape.tags = std::move(tags);
-  shape.parent = parent;
-  Shape& above = Writable(parent);
+  ShapeNode node = NodeOf(shape);
+  node.parent = parent;
+  ShapeNode& above = WritableNode(parent);
   const ShapeIndex before = above.last_child;
   above.last_child = index;
   if (before == kNoShape) {
     above.first_child = index;
   } else {
-    shape.ordinal = (*this)[before].ordinal + 1;
-    Writable(before).next_sibling = index;
+    ShapeNode& sibling = WritableNode(before);
+    sibling.next_sibling = index;
+    node.ordinal = sibling.ordinal + 1;
   }
-  Push(std::move(shape));
+  Push(std::move(shape), node);
   return index;
 }
 
 void ShapeTree::SetSymbol(ShapeIndex i, NameId symbol) {
-  if ((*this)[i].symbol != symbol) Writable(i).symbol = symbol;
+  if ((*this)[i].symbol != symbol) WritableShape(i).symbol = symbol;
 }
 
 void ShapeTree::AddTag(ShapeIndex i, NameId tag) {
   const std::vector<NameId>& now = (*this)[i].tags;
   if (std::binary_search(now.begin(), now.end(), tag)) return;
-  std::vector<NameId>& tags = Writable(i).tags;
+  std::vector<NameId>& tags = WritableShape(i).tags;
   tags.insert(std::lower_bound(tags.begin(), tags.end(), tag), tag);
 }
 
-void ShapeTree::SetItem(ShapeIndex i, Item item) { Writable(i).item = std::move(item); }
+void ShapeTree::SetItem(ShapeIndex i, Item item) {
+  Shape& shape = WritableShape(i);
+  shape.item = std::move(item);
+  WritableNode(i).is_visible = IsSeen(shape);
+}
 
-void ShapeTree::Hide(ShapeIndex i) { Writable(i).is_hidden = true; }
+void ShapeTree::Hide(ShapeIndex i) {
+  WritableShape(i).is_hidden = true;
+  WritableNode(i).is_visible = false;
+}
 
 void ShapeTree::SetMade(ShapeIndex i, NameId symbol, const Operation* operation) {
-  Shape& shape = Writable(i);
+  Shape& shape = WritableShape(i);
   shape.symbol = symbol;
   shape.operation = operation;
 }
@@ -162,7 +204,7 @@ std::string_view ShapeTree::Name(NameId id) const {
 bool ShapeTree::IsAncestor(ShapeIndex ancestor, ShapeIndex descendant) const {
   // Parents have smaller indices, so the walk may stop before the lot.
   ShapeIndex i = descendant;
-  while (i != kNoShape && i > ancestor) i = (*this)[i].parent;
+  while (i != kNoShape && i > ancestor) i = node(i).parent;
   return i == ancestor && i != descendant;
 }
 
@@ -170,21 +212,29 @@ std::vector<ShapeIndex> ShapeTree::Leaves() const {
   std::vector<ShapeIndex> leaves;
   ShapeIndex i = 0;
   while (true) {
-    if (!IsLeaf(i)) {
-      i = (*this)[i].first_child;
+    const ShapeNode* at = &node(i);
+    if (!at->is_leaf()) {
+      i = at->first_child;
       continue;
     }
-    if (IsSeen((*this)[i])) leaves.push_back(i);
-    while (i != 0 && (*this)[i].next_sibling == kNoShape) i = (*this)[i].parent;
-    if (i == 0) return leaves;
-    i = (*this)[i].next_sibling;
+    if (at->is_visible) leaves.push_back(i);
+    while (at->next_sibling == kNoShape && at->parent != kNoShape) at = &node(at->parent);
+    if (at->parent == kNoShape) return leaves;
+    i = at->next_sibling;
   }
+}
+
+bool ShapeTree::HasVisibleLeaf() const {
+  for (ShapeIndex i = 0; i < size_; ++i) {
+    if (const ShapeNode& at = node(i); at.is_leaf() && at.is_visible) return true;
+  }
+  return false;
 }
 
 std::string ShapeTree::IdOf(ShapeIndex i) const {
   if (i == 0) return ".";
   std::vector<uint32_t> path;
-  for (; i != 0; i = (*this)[i].parent) path.push_back((*this)[i].ordinal);
+  for (; i != 0; i = node(i).parent) path.push_back(node(i).ordinal);
   return fmt::format("{}", fmt::join(path.rbegin(), path.rend(), "/"));
 }
 
@@ -195,8 +245,8 @@ Result<ShapeIndex> ShapeTree::AtId(std::string_view id) const {
   ShapeIndex i = 0;
   for (const uint32_t ordinal : *path) {
     const ShapeIndex parent = i;
-    i = (*this)[i].first_child;
-    while (i != kNoShape && (*this)[i].ordinal != ordinal) i = (*this)[i].next_sibling;
+    i = node(i).first_child;
+    while (i != kNoShape && node(i).ordinal != ordinal) i = node(i).next_sibling;
     if (i != kNoShape) continue;
     return Fail(ErrorCode::kUnknownName, fmt::format("there is no shape '{}': '{}' has no child {}",
                                                      id, IdOf(parent), ordinal));

@@ -23,18 +23,25 @@ inline constexpr ShapeIndex kNoShape = 0xffffffff;
 using NameId = uint32_t;
 inline constexpr NameId kNoName = 0xffffffff;
 
-/// One node of the tree: an item, its names, and where it stands.
+/// What stands at a node of the tree: an item and its names.
 struct Shape {
   Item item;
   const Operation* operation = nullptr;  ///< that made it; null for the lot itself
   NameId symbol = kNoName;
+  bool is_hidden = false;    ///< its rule made nothing of it: it is not visible though it is a leaf
   std::vector<NameId> tags;  ///< sorted, each once
+};
+
+/// Where a shape stands. Apart from the shapes, so that walks read 24 bytes of each.
+struct ShapeNode {
   ShapeIndex parent = kNoShape;
   ShapeIndex first_child = kNoShape;
   ShapeIndex last_child = kNoShape;
   ShapeIndex next_sibling = kNoShape;
-  uint32_t ordinal = 0;    ///< among its parent's children, from 0
-  bool is_hidden = false;  ///< its rule made nothing of it: it is not visible though it is a leaf
+  uint32_t ordinal = 0;     ///< among its parent's children, from 0
+  bool is_visible = false;  ///< where it is a leaf: of a visible type, and not hidden
+
+  bool is_leaf() const { return first_child == kNoShape; }
 };
 
 /// Shapes are numbered in creation order; a parent comes before its children; 0 is the lot.
@@ -50,7 +57,12 @@ class ShapeTree {
   uint32_t size() const { return size_; }
   const Shape& operator[](ShapeIndex i) const {
     const uint32_t chunk = ChunkOf(i);
-    return (*chunks_[chunk])[i - starts_[chunk]];
+    return chunks_[chunk]->shapes[i - starts_[chunk]];
+  }
+  /// Where shape i stands.
+  const ShapeNode& node(ShapeIndex i) const {
+    const uint32_t chunk = ChunkOf(i);
+    return chunks_[chunk]->nodes[i - starts_[chunk]];
   }
 
   /// Appends a child as its parent's last; returns its index.
@@ -75,10 +87,11 @@ class ShapeTree {
   NameId Find(std::string_view name) const;
   std::string_view Name(NameId id) const;  ///< "" for kNoName
 
-  bool IsLeaf(ShapeIndex i) const { return (*this)[i].first_child == kNoShape; }
+  bool IsLeaf(ShapeIndex i) const { return node(i).is_leaf(); }
   bool IsAncestor(ShapeIndex ancestor, ShapeIndex descendant) const;  ///< not of itself
   /// Leaves in depth-first order that are visible: no layers, no 2D shapes, nothing hidden.
   std::vector<ShapeIndex> Leaves() const;
+  bool HasVisibleLeaf() const;
 
   /// Child-index path from the lot, "0/2/5"; "." is the lot (interfaces.md, Shape ids).
   std::string IdOf(ShapeIndex i) const;
@@ -91,7 +104,11 @@ class ShapeTree {
 
  private:
   static constexpr uint32_t kChunk = 128;
-  using Chunk = std::vector<Shape>;
+  /// The same shapes in both, and at most kChunk of them.
+  struct Chunk {
+    std::vector<Shape> shapes;
+    std::vector<ShapeNode> nodes;
+  };
   struct Names {
     std::vector<std::string> texts;
     std::unordered_map<std::string, NameId> ids;
@@ -105,8 +122,10 @@ class ShapeTree {
     return chunk;
   }
   Chunk& WritableChunk(uint32_t chunk);
-  Shape& Writable(ShapeIndex i);
-  void Push(Shape shape);
+  Shape& WritableShape(ShapeIndex i);
+  ShapeNode& WritableNode(ShapeIndex i);
+  static std::shared_ptr<Chunk> ChunkFrom(Shape shape, const ShapeNode& node, uint32_t room);
+  void Push(Shape shape, const ShapeNode& node);
   void Adopt(std::shared_ptr<Chunk> chunk);
   Move MoveOf(Part* part, uint32_t base);
   void MoveRoot(Move* move);

@@ -31,19 +31,23 @@ struct ShapeTree::Move {
   NameId Renamed(NameId name) const {
     return names.empty() || name == kNoName ? name : names[name];
   }
-  void Renumber(Shape* shape) const {
-    shape->parent = Moved(shape->parent);
-    shape->first_child = Moved(shape->first_child);
-    shape->last_child = Moved(shape->last_child);
-    shape->next_sibling = Moved(shape->next_sibling);
-    if (names.empty()) return;
+  void Renumber(ShapeNode* node) const {
+    node->parent = Moved(node->parent);
+    node->first_child = Moved(node->first_child);
+    node->last_child = Moved(node->last_child);
+    node->next_sibling = Moved(node->next_sibling);
+  }
+  void Rename(Shape* shape) const {
     shape->symbol = Renamed(shape->symbol);
     for (NameId& tag : shape->tags) tag = Renamed(tag);
     std::sort(shape->tags.begin(), shape->tags.end());
   }
   void RenumberAll() const {
     for (uint32_t i = 0; i < from->chunks_.size(); ++i) {
-      for (Shape& shape : from->WritableChunk(i)) Renumber(&shape);
+      Chunk& chunk = from->WritableChunk(i);
+      for (ShapeNode& node : chunk.nodes) Renumber(&node);
+      if (names.empty()) continue;
+      for (Shape& shape : chunk.shapes) Rename(&shape);
     }
   }
 };
@@ -58,12 +62,13 @@ ShapeTree::Move ShapeTree::MoveOf(Part* part, uint32_t base) {
 }
 
 void ShapeTree::MoveRoot(Move* move) {
-  Shape root = std::move(move->from->Writable(0));
-  Shape& shape = Writable(move->at);
-  root.parent = shape.parent;
-  root.next_sibling = shape.next_sibling;
-  root.ordinal = shape.ordinal;
-  shape = std::move(root);
+  WritableShape(move->at) = std::move(move->from->WritableShape(0));
+  ShapeNode& node = WritableNode(move->at);
+  ShapeNode root = move->from->node(0);
+  root.parent = node.parent;
+  root.next_sibling = node.next_sibling;
+  root.ordinal = node.ordinal;
+  node = root;
 }
 
 void ShapeTree::Splice(std::vector<Part> parts) {
@@ -77,10 +82,12 @@ void ShapeTree::Splice(std::vector<Part> parts) {
     MoveRoot(&move);
     for (size_t i = 1; i < move.from->chunks_.size(); ++i) {
       std::shared_ptr<Chunk>& chunk = move.from->chunks_[i];
-      if (chunk->size() >= kFewShapes) {
+      if (chunk->nodes.size() >= kFewShapes) {
         Adopt(std::move(chunk));
-      } else {
-        for (Shape& shape : *chunk) Push(std::move(shape));
+        continue;
+      }
+      for (size_t k = 0; k < chunk->nodes.size(); ++k) {
+        Push(std::move(chunk->shapes[k]), chunk->nodes[k]);
       }
     }
   }

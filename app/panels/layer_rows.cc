@@ -24,7 +24,7 @@ ShownLayers LayersOf(const SessionState& state, const grammar::RuleSet& rules) {
   if (state.selection.shapes.empty()) return {false, std::move(all)};
   const ShapeRef& face = state.selection.shapes.back();
   const grammar::ShapeTree& tree = model.derived[face.lot]->tree;
-  for (auto shape = face.shape; shape != grammar::kNoShape; shape = tree[shape].parent) {
+  for (auto shape = face.shape; shape != grammar::kNoShape; shape = tree.node(shape).parent) {
     const auto made_by = std::find_if(all.begin(), all.end(), [&](const auto& one) {
       return one.rule == tree.Name(tree[shape].symbol);
     });

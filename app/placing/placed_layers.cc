@@ -31,8 +31,8 @@ class Elements {
       const ShapeIndex shape = left.back();
       left.pop_back();
       AddAt(shape, &found);
-      for (ShapeIndex child = tree_[shape].first_child; child != grammar::kNoShape;
-           child = tree_[child].next_sibling) {
+      for (ShapeIndex child = tree_.node(shape).first_child; child != grammar::kNoShape;
+           child = tree_.node(child).next_sibling) {
         if (grammar::IsOfScene(tree_[child].item.type)) left.push_back(child);
       }
     }
@@ -77,7 +77,7 @@ PlacedLayers PlacedLayersOf(const Model& model, const std::vector<ShapeRef>& sel
   const ShapeTree& tree = model.derived[last.lot]->tree;
   const Elements elements(tree, *rules);
   if (elements.none()) return {};
-  for (ShapeIndex at = last.shape; at != grammar::kNoShape; at = tree[at].parent) {
+  for (ShapeIndex at = last.shape; at != grammar::kNoShape; at = tree.node(at).parent) {
     const grammar::Item& item = tree[at].item;
     if (item.type != grammar::ItemType::kPlanar) continue;
     auto layers = elements.In(at);

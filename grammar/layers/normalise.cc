@@ -65,7 +65,7 @@ class Scene {
   Result<const Region*> RegionAround(ShapeIndex shape) {
     std::vector<ShapeIndex> unknown;
     const Region* around = &background_;
-    for (ShapeIndex i = tree_[shape].parent; i != planar_; i = tree_[i].parent) {
+    for (ShapeIndex i = tree_.node(shape).parent; i != planar_; i = tree_.node(i).parent) {
       CHECK(i != kNoShape, "a shape of a scene lies below its planar shape in the tree");
       if (tree_[i].item.type != ItemType::kShape2D) continue;
       const auto known = clips_.find(i);
@@ -114,7 +114,7 @@ std::vector<ShapeIndex> Place(std::vector<Item> pieces, ShapeIndex shape, ShapeT
       continue;
     }
     const Shape& first = (*tree)[shape];
-    const ShapeIndex parent = first.parent;
+    const ShapeIndex parent = tree->node(shape).parent;
     const NameId symbol = first.symbol;
     const Operation* operation = first.operation;
     std::vector<NameId> tags = first.tags;
@@ -143,8 +143,8 @@ std::vector<Item> PiecesOf(const Region& visible, const Region& own, const Item&
 
 /// The planar shape in whose scene a shape lies.
 ShapeIndex PlanarOf(const ShapeTree& tree, ShapeIndex shape) {
-  ShapeIndex i = tree[shape].parent;
-  while (i != kNoShape && tree[i].item.type != ItemType::kPlanar) i = tree[i].parent;
+  ShapeIndex i = tree.node(shape).parent;
+  while (i != kNoShape && tree[i].item.type != ItemType::kPlanar) i = tree.node(i).parent;
   CHECK(i != kNoShape, "a layer or 2D shape lies in the scene of a planar shape");
   return i;
 }
@@ -219,7 +219,7 @@ void AppendBackground(ShapeTree* tree, std::span<const Uncovered> uncovered) {
   for (const Uncovered& free : uncovered) {
     const Item& planar = (*tree)[free.planar].item;
     Item item = PieceItem(planar.scope, RegionOf({free.polygon}), planar);
-    const ShapeIndex first = (*tree)[free.planar].first_child;
+    const ShapeIndex first = tree->node(free.planar).first_child;
     const Operation* operation = first == kNoShape ? nullptr : (*tree)[first].operation;
     tree->Append(free.planar, std::move(item), kNoName, operation, {tag});
   }

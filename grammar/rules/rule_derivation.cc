@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -56,11 +55,6 @@ class LotDerivation {
   std::vector<Value> attributes_;
   LotRun run_;
 };
-
-bool IsSomethingVisible(const std::vector<ShapeTree>& trees) {
-  return std::any_of(trees.begin(), trees.end(),
-                     [](const ShapeTree& tree) { return !tree.Leaves().empty(); });
-}
 
 /// Lots in any order; the first that fails is the one that counts.
 class LotsDerivation {
@@ -131,7 +125,10 @@ Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSetti
     all.RunAtOnce(threads.count);
   }
   auto trees = all.Take();
-  if (!trees || IsSomethingVisible(*trees)) return trees;
+  if (!trees) return trees;
+  for (const ShapeTree& tree : *trees) {
+    if (tree.HasVisibleLeaf()) return trees;
+  }
   return Fail(ErrorCode::kNothingMade, fmt::format("the rules make nothing of '{}'", *start),
               "look for NIL, and for selectors that nothing fits");
 }

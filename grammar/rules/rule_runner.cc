@@ -106,7 +106,7 @@ Result<void> RuleRunner::Run(RuleTask task, LeftTasks* left) {
   BodyRun run;
   run.body = task.body;
   run.to = task.to;
-  run.shape = task.becomes ? shape.parent : task.shape;
+  run.shape = task.becomes ? tree_->node(task.shape).parent : task.shape;
   run.taken = task.becomes ? task.shape : kNoShape;
   run.parameters = std::move(task.parameters);
   run.stream = &task.stream;
@@ -482,7 +482,7 @@ bool RuleRunner::WaitsInside(const BodyRun& run, size_t push) const {
 
 Error RuleRunner::TooDeep(const StepPlan& step, const BodyRun& run) const {
   uint32_t same = 0;
-  for (ShapeIndex i = run.shape; i != kNoShape; i = (*tree_)[i].parent) {
+  for (ShapeIndex i = run.shape; i != kNoShape; i = tree_->node(i).parent) {
     same += (*tree_)[i].symbol == step.symbol ? 1 : 0;
   }
   const std::string_view symbol = tree_->Name(step.symbol);

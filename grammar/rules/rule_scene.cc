@@ -21,9 +21,9 @@ void Append(std::vector<RuleTask>* from, std::vector<RuleTask>* to) {
 
 /// The next shape of a walk through `root` and all below it, parents first; kNoShape at its end.
 ShapeIndex NextInWalk(const ShapeTree& tree, ShapeIndex root, ShapeIndex at) {
-  if (!tree.IsLeaf(at)) return tree[at].first_child;
-  while (at != root && tree[at].next_sibling == kNoShape) at = tree[at].parent;
-  return at == root ? kNoShape : tree[at].next_sibling;
+  if (!tree.IsLeaf(at)) return tree.node(at).first_child;
+  while (at != root && tree.node(at).next_sibling == kNoShape) at = tree.node(at).parent;
+  return at == root ? kNoShape : tree.node(at).next_sibling;
 }
 
 /// In the depth-first order of the tree, which the order of the work need not be.

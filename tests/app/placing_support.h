@@ -45,7 +45,7 @@ inline Model HouseBy(std::shared_ptr<const RuleSource> source) {
 inline ShapeRef VisibleIn(const Model& model, std::string_view symbol) {
   const grammar::ShapeTree& tree = model.derived[0]->tree;
   for (const ShapeRef& ref : VisibleShapes(model)) {
-    for (auto at = ref.shape; at != grammar::kNoShape; at = tree[at].parent) {
+    for (auto at = ref.shape; at != grammar::kNoShape; at = tree.node(at).parent) {
       if (tree.Name(tree[at].symbol) == symbol) return ref;
     }
   }

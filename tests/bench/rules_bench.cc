@@ -52,7 +52,7 @@ void Derive(benchmark::State& state, std::string_view text, const std::vector<It
     terminals = bytes = 0;
     for (const ShapeTree& tree : *trees) {
       terminals += tree.Leaves().size();
-      bytes += tree.size() * sizeof(Shape);
+      bytes += tree.size() * (sizeof(Shape) + sizeof(ShapeNode));
     }
   }
   state.counters["terminals"] = static_cast<double>(terminals);

@@ -37,8 +37,8 @@ std::vector<ShapeIndex> PlacedElements(const ShapeTree& tree, size_t wall) {
   for (const LabelLayer& layer : LabelLayers()) {
     const auto layers = ShapesNamed(tree, 0, fmt::format("{}s{}", layer.symbol, wall + 1));
     for (const ShapeIndex parent : layers) {
-      for (ShapeIndex i = tree[parent].first_child; i != grammar::kNoShape;
-           i = tree[i].next_sibling) {
+      for (ShapeIndex i = tree.node(parent).first_child; i != grammar::kNoShape;
+           i = tree.node(i).next_sibling) {
         placed.push_back(i);
       }
     }

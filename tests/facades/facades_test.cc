@@ -78,7 +78,8 @@ double SeenArea(const ShapeTree& tree, ShapeIndex placed, const std::string& sym
 
 double BackgroundArea(const ShapeTree& tree, ShapeIndex wall) {
   double area = 0;
-  for (ShapeIndex i = tree[wall].first_child; i != grammar::kNoShape; i = tree[i].next_sibling) {
+  for (ShapeIndex i = tree.node(wall).first_child; i != grammar::kNoShape;
+       i = tree.node(i).next_sibling) {
     if (tree[i].item.type == ItemType::kPlanar) area += AreaOf(tree[i].item);
   }
   return area;

@@ -278,9 +278,9 @@ TEST(Query, ValuesThatNoTextGivesAreRefusedToo) {
 
 /// (5.1) by brute force, for one relation: what the passes over the tree must come to.
 bool IsRelated(const ShapeTree& tree, Query::Relation relation, ShapeIndex a, ShapeIndex b) {
-  if (relation == Query::Relation::kChildren) return tree[b].parent == a;
+  if (relation == Query::Relation::kChildren) return tree.node(b).parent == a;
   if (relation == Query::Relation::kDescendants) return tree.IsAncestor(a, b);
-  return tree[a].parent == tree[b].parent && tree[b].parent != kNoShape;
+  return tree.node(a).parent == tree.node(b).parent && tree.node(b).parent != kNoShape;
 }
 
 RC_GTEST_PROP(Query, RelationsAreAsDefined, (const std::vector<uint32_t>& parents)) {

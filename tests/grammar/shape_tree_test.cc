@@ -42,8 +42,8 @@ ShapeTree Grown(uint32_t count, std::string_view symbol) {
 /// All of a tree below shape i, in order, with names.
 std::string Told(const ShapeTree& tree, ShapeIndex i) {
   std::string text(tree.Name(tree[i].symbol));
-  for (ShapeIndex c = tree[i].first_child; c != kNoShape; c = tree[c].next_sibling) {
-    EXPECT_EQ(tree[c].parent, i);
+  for (ShapeIndex c = tree.node(i).first_child; c != kNoShape; c = tree.node(c).next_sibling) {
+    EXPECT_EQ(tree.node(c).parent, i);
     text += "(" + Told(tree, c) + ")";
   }
   return text;
@@ -67,14 +67,14 @@ TEST(ShapeTree, PartsTakeTheirPlacesWhateverTheirSizes) {
   for (size_t i = 0; i < sizes.size(); ++i) {
     const auto at = static_cast<ShapeIndex>(150 + 3 * i);
     EXPECT_EQ(Told(tree, at), told[i]) << sizes[i];
-    EXPECT_EQ(tree[at].parent, before[at].parent);
-    EXPECT_EQ(tree[at].next_sibling, before[at].next_sibling);
+    EXPECT_EQ(tree.node(at).parent, before.node(at).parent);
+    EXPECT_EQ(tree.node(at).next_sibling, before.node(at).next_sibling);
   }
-  for (ShapeIndex i = 1; i < all; ++i) EXPECT_LT(tree[i].parent, i);
+  for (ShapeIndex i = 1; i < all; ++i) EXPECT_LT(tree.node(i).parent, i);
   EXPECT_EQ(Told(before, 0), Told(Grown(200, "tree"), 0)) << "a copy stays as it was";
   const ShapeIndex last = tree.Append(180, {}, tree.Intern("after"), nullptr);
   EXPECT_EQ(tree.Name(tree[last].symbol), "after");
-  EXPECT_EQ(tree[last].parent, 180u);
+  EXPECT_EQ(tree.node(last).parent, 180u);
 }
 
 TEST(ShapeTree, IdsArePathsOfChildNumbers) {
@@ -151,7 +151,8 @@ RC_GTEST_PROP(ShapeTree, AncestorsAreTheParentsUpToTheLot, (const std::vector<ui
   const ShapeTree tree = TreeFrom(parents);
   for (ShapeIndex i = 0; i < tree.size(); ++i) {
     std::vector<bool> above(tree.size());
-    for (ShapeIndex p = tree[i].parent; p != kNoShape; p = tree[p].parent) above[p] = true;
+    for (ShapeIndex p = tree.node(i).parent; p != kNoShape; p = tree.node(p).parent)
+      above[p] = true;
     for (ShapeIndex a = 0; a < tree.size(); ++a) RC_ASSERT(tree.IsAncestor(a, i) == above[a]);
   }
 }

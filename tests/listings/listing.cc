@@ -65,8 +65,8 @@ const Item& Listing::Planar(std::string_view symbol) const {
 std::vector<Item> Listing::BackgroundOf(std::string_view symbol) const {
   const auto tag = tree().Find("background");
   std::vector<Item> background;
-  for (ShapeIndex i = tree()[PlanarIndex(symbol)].first_child; i != grammar::kNoShape;
-       i = tree()[i].next_sibling) {
+  for (ShapeIndex i = tree().node(PlanarIndex(symbol)).first_child; i != grammar::kNoShape;
+       i = tree().node(i).next_sibling) {
     const auto& tags = tree()[i].tags;
     if (std::find(tags.begin(), tags.end(), tag) != tags.end())
       background.push_back(tree()[i].item);

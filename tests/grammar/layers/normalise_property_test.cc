@@ -68,9 +68,9 @@ struct RandomScene : TestScene {
     std::vector<ShapeIndex> order;
     for (ShapeIndex i = 0; i != kNoShape;) {
       order.push_back(i);
-      ShapeIndex next = tree[i].first_child;
-      for (ShapeIndex up = i; next == kNoShape && up != kNoShape; up = tree[up].parent) {
-        next = tree[up].next_sibling;
+      ShapeIndex next = tree.node(i).first_child;
+      for (ShapeIndex up = i; next == kNoShape && up != kNoShape; up = tree.node(up).parent) {
+        next = tree.node(up).next_sibling;
       }
       i = next;
     }
@@ -134,7 +134,7 @@ RC_GTEST_PROP(NormaliseProperty, APointBelongsToTheUppermostShapeOverIt, (uint64
   const Scope& frame = before[0].item.scope;
   Random random(seed + 2);
   const auto is_over = [&](ShapeIndex shape, const Vec2& point) {
-    for (ShapeIndex i = shape; i != 0; i = before[i].parent) {
+    for (ShapeIndex i = shape; i != 0; i = before.node(i).parent) {
       const Item& item = before[i].item;
       if (item.type == ItemType::kShape2D && !Covers(item, frame, point)) return false;
     }

@@ -159,7 +159,7 @@ TEST(Normalise, SeveralPiecesAreSeparateShapesWithTheSameSymbol) {
   EXPECT_EQ(pieces[0][0], band);
   for (const ShapeIndex i : pieces[0]) {
     const Shape& piece = scene.tree[i];
-    EXPECT_EQ(piece.parent, scene.floors);
+    EXPECT_EQ(scene.tree.node(i).parent, scene.floors);
     EXPECT_EQ(scene.tree.Name(piece.symbol), "Shape");
     EXPECT_THAT(piece.tags, SizeIs(1));
     EXPECT_EQ(piece.item.scope.size, Vec3(4, 1, 0));
@@ -243,7 +243,8 @@ TEST(AppendBackground, ComesLastAndIsTagged) {
   scene.Normalise();
   AppendBackground(&scene.tree, scene.uncovered);
   std::vector<ShapeIndex> children;
-  for (ShapeIndex i = scene.tree[0].first_child; i != kNoShape; i = scene.tree[i].next_sibling) {
+  for (ShapeIndex i = scene.tree.node(0).first_child; i != kNoShape;
+       i = scene.tree.node(i).next_sibling) {
     children.push_back(i);
   }
   ASSERT_THAT(children, SizeIs(4));  // two layers, two parts of the wall
@@ -277,7 +278,7 @@ TEST(PlaceDeferred, OneShapePerConnectedPiece) {
   const auto pieces = PlaceDeferred(&scene.tree, scene.floors, &scene.uncovered);
   ASSERT_THAT(*pieces, SizeIs(2));
   EXPECT_EQ((*pieces)[0], scene.floors);
-  EXPECT_EQ(scene.tree[(*pieces)[1]].parent, scene.planar);
+  EXPECT_EQ(scene.tree.node((*pieces)[1]).parent, scene.planar);
   EXPECT_EQ(scene.tree[(*pieces)[1]].symbol, scene.tree[scene.floors].symbol);
 }
 

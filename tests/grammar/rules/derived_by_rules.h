@@ -48,7 +48,7 @@ inline std::string Outline(const ShapeTree& tree) {
     text += (text.empty() ? "" : ", ") + tree.IdOf(i) + " " +
             std::string(symbol.empty() ? "-" : symbol);
     std::vector<ShapeIndex> children;
-    for (ShapeIndex c = shape.first_child; c != kNoShape; c = tree[c].next_sibling) {
+    for (ShapeIndex c = tree.node(i).first_child; c != kNoShape; c = tree.node(c).next_sibling) {
       children.push_back(c);
     }
     stack.insert(stack.end(), children.rbegin(), children.rend());
@@ -73,10 +73,12 @@ inline std::string Bytes(const ShapeTree& tree) {
   const auto add_vec = [&](const Vec3& v) { add(v.x), add(v.y), add(v.z); };
   for (ShapeIndex i = 0; i < tree.size(); ++i) {
     const Shape& s = tree[i];
+    const ShapeNode& node = tree.node(i);
     text += tree.Name(s.symbol);
     for (const NameId tag : s.tags) text += tree.Name(tag);
-    add(s.operation), add(s.parent), add(s.first_child), add(s.last_child), add(s.next_sibling);
-    add(s.ordinal), add(s.is_hidden), add(s.item.type), add(s.item.color_rgb);
+    add(s.operation), add(s.is_hidden), add(s.item.type), add(s.item.color_rgb);
+    add(node.parent), add(node.first_child), add(node.last_child), add(node.next_sibling);
+    add(node.ordinal), add(node.is_visible);
     add_vec(s.item.scope.origin), add_vec(s.item.scope.x), add_vec(s.item.scope.size);
     if (s.item.polygon) {
       for (const Vec2& p : s.item.polygon->outer) add(p.x), add(p.y);

@@ -18,7 +18,7 @@ namespace parti::grammar {
 /// Child numbers from the lot.
 inline std::vector<uint32_t> PathTo(const ShapeTree& tree, ShapeIndex i) {
   std::vector<uint32_t> path;
-  for (; i != 0; i = tree[i].parent) path.push_back(tree[i].ordinal);
+  for (; i != 0; i = tree.node(i).parent) path.push_back(tree.node(i).ordinal);
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -41,7 +41,7 @@ inline Result<ShapeTree> DeriveByQueue(const RuleSet& rules, const RuleSettings&
   root.stream = Stream(LotPath(settings.seed, 0));
   rest.push_back(std::move(root));
   const auto planar_of = [&](ShapeIndex i) {
-    while (!IsVisible(tree[i].item.type)) i = tree[i].parent;
+    while (!IsVisible(tree[i].item.type)) i = tree.node(i).parent;
     return i;
   };
   while (!flat.empty() || !scenes.empty() || !rest.empty()) {
