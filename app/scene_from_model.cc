@@ -40,6 +40,17 @@ Vec3f ColorOf(const Item& item, std::string_view symbol, const DrawingStyle& sty
   return Tinted(faces_up ? style.ground : style.wall, symbol, style.tint);
 }
 
+/// Images repeat: each triangle's coordinates may begin where float has most digits.
+void Wear(const grammar::SurfacePart& part, render::Faces* faces) {
+  if (!part.material || !part.material->image || part.uvs.empty()) return;
+  const auto& image = part.material->image;
+  faces->image = {image, &image->bytes};
+  if (!part.color_rgb) faces->color = Vec3f(1, 1, 1);
+  for (size_t i = 0; i < part.uvs.size(); ++i) {
+    faces->uvs.emplace_back(part.uvs[i] - glm::floor(part.uvs[i / 3 * 3]));
+  }
+}
+
 void AddSegments(const std::vector<Segment3>& segments, render::Lines* lines) {
   for (const Segment3& segment : segments) {
     lines->ends.emplace_back(segment.a);
@@ -61,6 +72,7 @@ void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
                               ColorOf(worn, tree.Name(shape.symbol), style),
                               first_id + i,
                               grammar::IsClosedBody(shape.item)});
+      Wear(part, &scene->faces.back());
     }
     const std::vector<Segment3> own = grammar::EdgesOf(shape.item);
     edges.insert(edges.end(), own.begin(), own.end());

@@ -31,20 +31,41 @@ void SetPlace(const GlProgram& program, const Frame& frame) {
   program.Set("depth_unit", frame.depth_unit);
 }
 
+void SetAll(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
+            const ShadowLookup& shadow) {
+  program.Use();
+  SetPlace(program, frame);
+  SetLight(program, frame, scene);
+  SetShadow(gl, program, shadow, frame);
+}
+
+/// With the program in use; the shadow's map is in unit 0.
+void DrawImageFaces(const Gl& gl, const GlProgram& program, const Frame& frame,
+                    const GpuScene& scene) {
+  program.Set("image", 1);
+  gl.ActiveTexture(GL_TEXTURE1);
+  for (const ImageFaces& worn : scene.image_faces) {
+    gl.BindTexture(GL_TEXTURE_2D, worn.texture);
+    worn.faces.DrawNearFirst(gl, frame.volume);
+  }
+  gl.ActiveTexture(GL_TEXTURE0);
+}
+
 }  // namespace
 
-void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
-               const ShadowLookup& shadow) {
+void DrawFaces(const Gl& gl, const GlProgram& plain, const GlProgram& with_image,
+               const Frame& frame, const GpuScene& scene, const ShadowLookup& shadow) {
   SetDepthState(gl);
   // Farther by their slope over the pixels that a line is wide: an edge's line then lies in front
   // of both its faces, however grazing the view, and no farther edge comes through.
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(frame.look.face_slope_offset, frame.look.face_offset_units);
-  program.Use();
-  SetPlace(program, frame);
-  SetLight(program, frame, scene);
-  SetShadow(gl, program, shadow, frame);
-  scene.DrawFacesNearFirst(gl, frame.volume);
+  SetAll(gl, plain, frame, scene, shadow);
+  scene.plain_faces.DrawNearFirst(gl, frame.volume);
+  if (!scene.image_faces.empty()) {
+    SetAll(gl, with_image, frame, scene, shadow);
+    DrawImageFaces(gl, with_image, frame, scene);
+  }
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

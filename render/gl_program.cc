@@ -16,6 +16,7 @@ Result<GLuint> Compile(const Gl& gl, GLenum kind, const std::string& file) {
   text += ShaderText("light.glsl");
   if (file == "face.vert" || file == "id.vert") text += ShaderText("place.glsl");
   if (file.starts_with("picture")) text += ShaderText("picture.glsl");
+  if (file == "face.frag" || file == "face_image.frag") text += ShaderText("lit.glsl");
   text.append("#line 1\n").append(ShaderText(file));
   const char* source = text.c_str();
   const GLuint shader = gl.CreateShader(kind);

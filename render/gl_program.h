@@ -13,9 +13,9 @@ namespace parti::render {
 /// Used and destroyed while its context is current.
 class GlProgram {
  public:
-  /// assets/shaders/VERTEX.vert and FRAGMENT.frag, behind light.glsl, the faces' also place.glsl,
-  /// and the version line of the context: one source for GL 3.3 and GLES 3.0. errors  kGraphics
-  /// with the compiler's words.
+  /// assets/shaders/VERTEX.vert and FRAGMENT.frag, behind light.glsl, the faces' also place.glsl or
+  /// lit.glsl, and the version line of the context: one source for GL 3.3 and GLES 3.0. errors
+  /// kGraphics with the compiler's words.
   static Result<GlProgram> Create(const Gl& gl, const std::string& vertex_name,
                                   const std::string& fragment_name);
   GlProgram(GlProgram&& other) noexcept;

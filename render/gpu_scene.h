@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "render/bounds.h"
+#include "render/face_streams.h"
 #include "render/gl_framebuffer.h"
-#include "render/vertex_stream.h"
+#include "render/gpu_textures.h"
 
 namespace parti::render {
 
@@ -19,25 +20,36 @@ struct InkGroup {
   VertexStream pieces;
 };
 
+/// All faces that wear one image.
+struct ImageFaces {
+  GLuint texture;
+  FaceStreams faces;
+};
+
 /// Left out, silently since they can't be seen: triangles with a corner that is not drawable (see
 /// IsDrawable) or without area, lines with such an end, ink pieces with such a sample, what is left
 /// over from whole triangles and lines. Missing ink widths are 1 px, negative ones 0.
 struct GpuScene {
-  GpuScene(const Gl& gl, const Scene& scene);
+  /// `old_textures`: of a scene that is not drawn any more; what both wear is not uploaded again.
+  GpuScene(const Gl& gl, const Scene& scene, GpuTextures old_textures);
 
-  VertexStream faces;
-  VertexStream closed_faces;
+  FaceStreams plain_faces;
+  std::vector<ImageFaces> image_faces;  ///< in the order in which the scene wears images first
   VertexStream lines;
   VertexStream lines_on_top;
   std::vector<InkGroup> ink;
   bool ground;
-  /// Draws both kinds of faces, without the back sides of closed ones.
+  GpuTextures textures;
+  /// Draws all faces without their images, and without the back sides of closed ones.
   void DrawAllFaces(const Gl& gl) const;
   /// The same, but only what may lie in the volume.
   void DrawFacesNearFirst(const Gl& gl, const DrawVolume& volume) const;
 
   Bounds face_bounds;
   Bounds bounds;  ///< lines too
+
+ private:
+  void UploadFaces(const Gl& gl, const Scene& scene);
 };
 
 }  // namespace parti::render

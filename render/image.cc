@@ -40,21 +40,25 @@ Result<void> WritePng(const Image& image, const std::string& path) {
 Result<Image> ReadPng(const std::string& path) {
   const Result<std::string> bytes = ReadFile(path);
   if (!bytes) return Fail(bytes);
+  return DecodePng(*bytes, path);
+}
+
+Result<Image> DecodePng(std::string_view bytes, const std::string& name) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&png, bytes->data(), bytes->size())) {
-    return tl::unexpected(PngError(ErrorCode::kDamagedFile, path, png.message));
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
+    return tl::unexpected(PngError(ErrorCode::kDamagedFile, name, png.message));
   }
   if (uint64_t{png.width} * png.height > kMostPixels) {
     png_image_free(&png);
-    return tl::unexpected(PngError(ErrorCode::kDamagedFile, path, "more than 2^28 pixels"));
+    return tl::unexpected(PngError(ErrorCode::kDamagedFile, name, "more than 2^28 pixels"));
   }
   png.format = PNG_FORMAT_RGBA;
   Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   image.pixels.resize(PNG_IMAGE_SIZE(png));
   // libpng's simplified reader reports a truncated file here, and frees its state.
   if (!png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr)) {
-    return tl::unexpected(PngError(ErrorCode::kDamagedFile, path, png.message));
+    return tl::unexpected(PngError(ErrorCode::kDamagedFile, name, png.message));
   }
   return image;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -26,5 +27,7 @@ Result<void> WritePng(const Image& image, const std::string& path);
 /// Reads every kind of PNG (grey, palette, 16 bit, interlaced) as 8-bit RGBA.
 /// errors  kFile  it can't be read;  kDamagedFile  not a PNG, truncated, or inconsistent.
 Result<Image> ReadPng(const std::string& path);
+/// The same of a file's bytes; `name` is what errors call it. errors  kDamagedFile.
+Result<Image> DecodePng(std::string_view bytes, const std::string& name);
 
 }  // namespace parti::render

@@ -14,9 +14,10 @@ namespace parti::render {
 void DrawGround(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
                 const ShadowLookup& shadow, const FullScreenTriangle& all);
 
-/// Lit faces, with depth.
-void DrawFaces(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
-               const ShadowLookup& shadow);
+/// Lit faces, with depth: those of one colour with the first program, those that wear images with
+/// the second, which is not used where there are none.
+void DrawFaces(const Gl& gl, const GlProgram& plain, const GlProgram& with_image,
+               const Frame& frame, const GpuScene& scene, const ShadowLookup& shadow);
 
 /// Ids of faces, with depth: four bytes of colour, lowest in red.
 void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene);

@@ -21,24 +21,29 @@ Result<Renderer> Renderer::Create(const Gl& gl, const Look& look) {
     if (!failed) failed = program.error();
     return std::nullopt;
   };
-  auto ground = make("ground", "ground"), face = make("face", "face"), line = make("line", "line"),
+  auto ground = make("ground", "ground"), face = make("face", "face"),
+       face_image = make("face", "face_image"), line = make("line", "line"),
        ink = make("ink", "ink"), ink_over = make("full_screen", "ink_over"), id = make("id", "id"),
        depth = make("depth", "depth");
   if (failed) return tl::unexpected(*failed);
   GLint most_samples = 0;
   gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
   return Renderer(gl, look,
-                  {std::move(*ground), std::move(*face), std::move(*line), std::move(*ink),
-                   std::move(*ink_over), std::move(*id), std::move(*depth)},
+                  {std::move(*ground), std::move(*face), std::move(*face_image), std::move(*line),
+                   std::move(*ink), std::move(*ink_over), std::move(*id), std::move(*depth)},
                   most_samples);
 }
 
 Result<LoadedScene> Renderer::Load(const Scene& scene,
                                    std::optional<LoadedScene> instead_of) const {
   std::optional<SunShadow> replaced;
-  if (instead_of) replaced.emplace(std::move(instead_of->shadow));
+  GpuTextures old_textures(*gl_);
+  if (instead_of) {
+    replaced.emplace(std::move(instead_of->shadow));
+    old_textures = std::move(instead_of->scene.textures);
+  }
   instead_of.reset();
-  GpuScene uploaded(*gl_, scene);
+  GpuScene uploaded(*gl_, scene, std::move(old_textures));
   if (const auto checked = CheckGl(*gl_, "uploading the scene"); !checked) return Fail(checked);
   Result<SunShadow> shadow =
       SunShadow::Create(*gl_, programs_.depth, uploaded, look_, std::move(replaced));
@@ -91,7 +96,7 @@ Result<void> Renderer::Draw(const LoadedScene& loaded, const Camera& camera, con
   frame.SetViewport(*gl_);
   gl_->DepthMask(GL_TRUE);
   gl_->Clear(GL_DEPTH_BUFFER_BIT);
-  DrawFaces(*gl_, programs_.face, frame, scene, loaded.shadow.lookup());
+  DrawFaces(*gl_, programs_.face, programs_.face_image, frame, scene, loaded.shadow.lookup());
   DrawGround(*gl_, programs_.ground, frame, scene, loaded.shadow.lookup(), full_screen_);
   // Lines smooth their own edges, and cost a quarter of what they would in the samples.
   if (many) {

@@ -41,7 +41,7 @@ class Renderer {
 
  private:
   struct Programs {
-    GlProgram ground, face, line, ink, ink_over, id, depth;
+    GlProgram ground, face, face_image, line, ink, ink_over, id, depth;
   };
   Renderer(const Gl& gl, const Look& look, Programs programs, GLint most_samples);
   Result<void> SizeFor(const Tile& tile);

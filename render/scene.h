@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "base/camera.h"
@@ -21,6 +23,12 @@ struct Faces {
   Vec3f color{0.93f, 0.92f, 0.90f};  ///< sRGB
   uint32_t id = 0;                   ///< for picking; 0: not pickable
   bool closed = false;  ///< a watertight body: its back sides, never seen, are not drawn
+  /// A PNG or JPEG as its file holds it, multiplied by `color` and repeated without end. Null, or
+  /// not to be read: `color` alone.
+  std::shared_ptr<const std::string> image = nullptr;
+  /// One a corner where there is an image, (0, 0) its lower left corner, (1, 1) its upper right;
+  /// those that are missing or not finite are (0, 0).
+  std::vector<Vec2f> uvs = {};
 };
 
 /// Straight lines in the world, hidden by what lies in front of them unless `on_top`.

@@ -1,5 +1,6 @@
 // Flat-shaded faces: light that is the same all over a triangle is worked out here.
 layout(location = 2) in vec4 color;  // sRGB
+layout(location = 4) in vec2 uv;     // where an image is worn, its rows from the top; else unused
 
 uniform mat4 shadow_from_world;
 uniform vec3 to_sun;
@@ -16,6 +17,7 @@ flat out vec3 ambient;
 flat out vec3 sunlit;
 out vec3 shadow_at;
 out float foot;
+out vec2 at_image;
 
 void main() {
   gl_Position = Place();
@@ -28,4 +30,5 @@ void main() {
   sunlit = albedo * sun_light * max(slope, 0.0);
   shadow_at = (shadow_from_world * vec4(position + n * shadow_bias, 1.0)).xyz;
   foot = 1.0 - clamp((position.y - base_height) / base_shade.y, 0.0, 1.0);
+  at_image = uv;
 }

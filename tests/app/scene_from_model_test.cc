@@ -6,6 +6,7 @@
 
 #include "render/offscreen.h"
 #include "tests/app/sample_models.h"
+#include "tests/grammar/geometry_support.h"
 #include "tests/support/golden.h"
 
 namespace parti::app {
@@ -58,6 +59,35 @@ TEST(AddModel, GivenColoursStayAndOthersAreOneForEachSymbol) {
       EXPECT_LE(faces.color[i], 1);
     }
   }
+}
+
+/// A square of 2 m on the ground that wears an image 1 m wide, far out.
+grammar::ShapeTree Paved(uint32_t color_rgb) {
+  grammar::Item lot = grammar::tests::Lot("5000,0 5002,0 5002,2 5000,2");
+  grammar::Material material;
+  material.image = std::make_shared<const grammar::Image>(grammar::Image{"paving.png", "PNG"});
+  grammar::Paint paint;
+  paint.material = std::make_shared<const grammar::Material>(material);
+  paint.map = grammar::TextureMap{{1, 0, 0}, {0, 0, -1}, {0.25, 0}};
+  lot.paint = std::make_shared<const grammar::Paint>(paint);
+  lot.color_rgb = color_rgb;
+  return grammar::ShapeTree(lot, "Lot");
+}
+
+TEST(AddModel, ImagesAreWornWhereTheyLieAndWhiteUnlessTinted) {
+  const Scene scene = SceneOf(Paved(0));
+  ASSERT_EQ(scene.faces.size(), 1u);
+  const render::Faces& faces = scene.faces[0];
+  ASSERT_TRUE(faces.image);
+  EXPECT_EQ(*faces.image, "PNG");
+  EXPECT_EQ(faces.color, render::Vec3f(1, 1, 1));
+  ASSERT_EQ(faces.uvs.size(), faces.corners.size());
+  for (size_t i = 0; i < faces.uvs.size(); ++i) {
+    const double u = faces.corners[i].x + 0.25 - faces.uvs[i].x;
+    EXPECT_NEAR(u, std::round(u), 1e-6) << "shifted by whole images";
+    EXPECT_LE(std::abs(faces.uvs[i].x), 4) << "near 0, where float is finest";
+  }
+  EXPECT_NEAR(SceneOf(Paved(0xC80000)).faces[0].color.r, 0xC8 / 255.0, 1e-6);
 }
 
 TEST(AddModel, SharedEdgesAreDrawnOnce) {
