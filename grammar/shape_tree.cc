@@ -20,24 +20,6 @@ bool IsOurs(const std::shared_ptr<T>& value) {
   return true;
 }
 
-/// Whether, as a leaf, it is a part of what is seen.
-bool IsSeen(const Shape& shape) { return IsVisible(shape.item.type) && !shape.is_hidden; }
-
-/// A tree's lot.
-Shape RootOf(Item lot, NameId symbol) {
-  Shape root;
-  root.item = std::move(lot);
-  root.symbol = symbol;
-  return root;
-}
-
-/// Where nothing stands above or below.
-ShapeNode NodeOf(const Shape& shape) {
-  ShapeNode node;
-  node.is_visible = IsSeen(shape);
-  return node;
-}
-
 /// "0/2/5" as numbers.
 Result<std::vector<uint32_t>> PathFrom(std::string_view id) {
   std::vector<uint32_t> path;
@@ -57,15 +39,20 @@ Result<std::vector<uint32_t>> PathFrom(std::string_view id) {
 }  // namespace
 
 ShapeTree::ShapeTree(Item lot, std::string_view symbol) : names_(std::make_shared<Names>()) {
-  Shape root = RootOf(std::move(lot), Intern(symbol));
-  const ShapeNode node = NodeOf(root);
-  Adopt(ChunkFrom(std::move(root), node, 1));
+  PlantRoot(std::move(lot), Intern(symbol));
 }
 
 ShapeTree::ShapeTree(Item lot, NameId symbol, const ShapeTree& names_of) : names_(names_of.names_) {
-  Shape root = RootOf(std::move(lot), symbol);
-  const ShapeNode node = NodeOf(root);
-  Adopt(ChunkFrom(std::move(root), node, 1));
+  PlantRoot(std::move(lot), symbol);
+}
+
+void ShapeTree::PlantRoot(Item lot, NameId symbol) {
+  auto chunk = std::make_shared<Chunk>();
+  chunk->nodes.emplace_back().is_visible = IsVisible(lot.type);
+  Shape& root = chunk->shapes.emplace_back();
+  root.item = std::move(lot);
+  root.symbol = symbol;
+  Adopt(std::move(chunk));
 }
 
 ShapeTree::Chunk& ShapeTree::WritableChunk(uint32_t chunk) {
@@ -95,29 +82,21 @@ ShapeNode& ShapeTree::WritableNode(ShapeIndex i) {
   return WritableChunk(chunk).nodes[i - starts_[chunk]];
 }
 
-std::shared_ptr<ShapeTree::Chunk> ShapeTree::ChunkFrom(Shape shape, const ShapeNode& node,
-                                                       uint32_t room) {
-  auto chunk = std::make_shared<Chunk>();
-  chunk->shapes.reserve(room);
-  chunk->nodes.reserve(room);
-  chunk->shapes.push_back(std::move(shape));
-  chunk->nodes.push_back(node);
-  return chunk;
-}
-
-void ShapeTree::Push(Shape shape, const ShapeNode& node) {
-  const auto last = static_cast<uint32_t>(chunks_.size() - 1);
-  if (last == 0 || chunks_[last]->nodes.size() >= kChunk) {
-    return Adopt(ChunkFrom(std::move(shape), node, kChunk));
+/// Where the next shape and its node go; they are counted already.
+ShapeTree::Chunk& ShapeTree::ChunkForNext() {
+  if (chunks_.size() == 1 || chunks_.back()->nodes.size() >= kChunk) {
+    auto chunk = std::make_shared<Chunk>();
+    chunk->shapes.reserve(kChunk);
+    chunk->nodes.reserve(kChunk);
+    Adopt(std::move(chunk));
   }
+  const auto last = static_cast<uint32_t>(chunks_.size() - 1);
   if (size_ % kChunk == 0) blocks_.push_back(last);
-  Chunk& chunk = WritableChunk(last);
-  chunk.shapes.push_back(std::move(shape));
-  chunk.nodes.push_back(node);
   ++size_;
+  return WritableChunk(last);
 }
 
-/// A chunk of shapes with the next numbers.
+/// A chunk whose shapes, if it has any, get the next numbers.
 void ShapeTree::Adopt(std::shared_ptr<Chunk> chunk) {
   const auto number = static_cast<uint32_t>(chunks_.size());
   starts_.back() = size_;
@@ -131,15 +110,9 @@ ShapeIndex ShapeTree::Append(ShapeIndex parent, Item item, NameId symbol,
                              const Operation* operation, std::vector<NameId> tags) {
   CHECK(size_ < kNoShape, "room for another shape");
   const ShapeIndex index = size_;
-  Shape shape;
-  shape.item = std::move(item);
-  shape.operation = operation;
-  shape.symbol = symbol;
-  std::sort(tags.begin(), tags.end());
-  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
-  shape.tags = std::move(tags);
-  ShapeNode node = NodeOf(shape);
+  ShapeNode node;
   node.parent = parent;
+  node.is_visible = IsVisible(item.type);
   ShapeNode& above = WritableNode(parent);
   const ShapeIndex before = above.last_child;
   above.last_child = index;
@@ -150,7 +123,15 @@ ShapeIndex ShapeTree::Append(ShapeIndex parent, Item item, NameId symbol,
     sibling.next_sibling = index;
     node.ordinal = sibling.ordinal + 1;
   }
-  Push(std::move(shape), node);
+  std::sort(tags.begin(), tags.end());
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+  Chunk& chunk = ChunkForNext();
+  chunk.nodes.push_back(node);
+  Shape& shape = chunk.shapes.emplace_back();
+  shape.item = std::move(item);
+  shape.operation = operation;
+  shape.symbol = symbol;
+  shape.tags = std::move(tags);
   return index;
 }
 
@@ -168,7 +149,7 @@ void ShapeTree::AddTag(ShapeIndex i, NameId tag) {
 void ShapeTree::SetItem(ShapeIndex i, Item item) {
   Shape& shape = WritableShape(i);
   shape.item = std::move(item);
-  WritableNode(i).is_visible = IsSeen(shape);
+  WritableNode(i).is_visible = IsVisible(shape.item.type) && !shape.is_hidden;
 }
 
 void ShapeTree::Hide(ShapeIndex i) {

@@ -124,8 +124,8 @@ class ShapeTree {
   Chunk& WritableChunk(uint32_t chunk);
   Shape& WritableShape(ShapeIndex i);
   ShapeNode& WritableNode(ShapeIndex i);
-  static std::shared_ptr<Chunk> ChunkFrom(Shape shape, const ShapeNode& node, uint32_t room);
-  void Push(Shape shape, const ShapeNode& node);
+  Chunk& ChunkForNext();
+  void PlantRoot(Item lot, NameId symbol);
   void Adopt(std::shared_ptr<Chunk> chunk);
   Move MoveOf(Part* part, uint32_t base);
   void MoveRoot(Move* move);

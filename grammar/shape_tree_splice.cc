@@ -87,7 +87,9 @@ void ShapeTree::Splice(std::vector<Part> parts) {
         continue;
       }
       for (size_t k = 0; k < chunk->nodes.size(); ++k) {
-        Push(std::move(chunk->shapes[k]), chunk->nodes[k]);
+        Chunk& next = ChunkForNext();
+        next.shapes.push_back(std::move(chunk->shapes[k]));
+        next.nodes.push_back(chunk->nodes[k]);
       }
     }
   }

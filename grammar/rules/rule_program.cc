@@ -180,6 +180,11 @@ bool MustWait(const Operation& row, ItemType type) {
          (row.takes & Types(ItemType::kPlanar)) != 0;
 }
 
+bool MakesScene(const Operation& row, ItemType type) {
+  const auto out = OutType(row, type);
+  return out && IsOfScene(*out) && !row.in_place;
+}
+
 bool OnlyChanges(const Operation& row) {
   constexpr ItemTypes kVisible = Types(ItemType::kVolume, ItemType::kPlanar);
   return row.braces == Braces::kNone && (row.in_place || (row.gives & kVisible) != 0);

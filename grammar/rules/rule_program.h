@@ -63,6 +63,8 @@ constexpr size_t TypeNumber(ItemType type) {
 }
 /// Whether a shape must first become planar before the row can take it (errata 1).
 bool MustWait(const Operation& row, ItemType type);
+/// Whether the row makes layers or 2D shapes of a shape of this type.
+bool MakesScene(const Operation& row, ItemType type);
 
 /// Whether the row has one result that takes the place of what it was made from: no braces, and
 /// never a 2D shape, which needs the shape that it lies in.

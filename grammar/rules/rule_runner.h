@@ -106,7 +106,8 @@ class RuleRunner {
 
   Result<std::vector<Product>> Applied(const StepPlan& step, BodyRun* run);
   Result<void> Divide(const StepPlan& step, std::vector<Product> products, BodyRun* run);
-  Result<void> Fill(const BodyPlan& body, InHand hand, BodyRun* run);
+  Result<void> Fill(const BodyPlan& body, const Operation& row, Item&& product,
+                    Inheritance inherited, BodyRun* run);
   Result<void> Set(const StepPlan& step, BodyRun* run);
   void Name(const Action& action, BodyRun* run);
   Result<void> Emit(const StepPlan& step, BodyRun* run);
