@@ -120,7 +120,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
   if (queries_.ready().Clear()) marks_stale_ = true;
-  marks_stale_ |= placing_.Update();
+  if (placing_.Update()) marks_stale_ = panels_stale_ = true;
   if (auto tried = trials_.TakeNewest()) picture_->SetState(std::move(tried));
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
@@ -321,6 +321,7 @@ void Application::Take(const DragAct& act) {
   pen_.position_px = act.px;
   pen_.down = act.phase == DragPhase::kBegin || act.phase == DragPhase::kMove;
   if (act.phase != DragPhase::kMove) panels_stale_ = true;
+  if (act.phase == DragPhase::kBegin) SetPenWord("");
   switch (act.act) {
     case PenAct::kDraw:
       if (act.phase == DragPhase::kBegin) SyncView();
@@ -371,9 +372,15 @@ bool Application::PlaceByHand(const DragAct& drag) {
   PlacingStep step = placing_.Take(drag, View(looking_.camera()), display_->scale());
   if (!step.taken) return false;
   marks_stale_ = true;
+  SetPenWord(placing_.word());
   if (step.tapped) SelectUnder(drag.px);
   if (step.command) placing_.Await(Post(Command(std::move(*step.command))));
   return true;
+}
+
+void Application::Do(ElementCommand command) {
+  if (auto change = placing_.Do(command)) placing_.Await(Post(Command(std::move(*change))));
+  marks_stale_ = true;
 }
 
 bool Application::TakeShortcut(const KeyEvent& key) {
@@ -402,6 +409,8 @@ void Application::Do(const PanelCommand& command) {
     folders_.Ask(listed_);
   } else if (const auto* view = std::get_if<ViewRequest>(&command)) {
     Do(*view);
+  } else if (const auto* element = std::get_if<ElementCommand>(&command)) {
+    Do(*element);
   } else if (const auto* mode = std::get_if<PointerMode>(&command)) {
     mode_ = *mode;
     hands_.SetMode(ActOf(mode_));
@@ -441,6 +450,9 @@ PanelView Application::ViewForPanels() const {
   view.size_px = Vec2(display_->size_px());
   view.pen = pen_;
   view.tapped_px = tapped_px_;
+  const View seen(looking_.camera());
+  view.elements = placing_.Seen(seen);
+  view.element = placing_.InHand(seen);
   view.has_keys = hands_.has_keys();
   return view;
 }

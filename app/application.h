@@ -94,6 +94,7 @@ class Application {
   void TakeAll(const std::vector<Act>& acts);
 
   void Do(ViewRequest view);
+  void Do(ElementCommand command);
   bool TakeShortcut(const KeyEvent& key);
   void SelectUnder(const Vec2& px);
   void SweepSelect(const DragAct& drag);

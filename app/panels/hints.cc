@@ -34,6 +34,9 @@ std::string HintOf(const PanelView& view) {
   const bool nothing = !view.session || view.session->state->model.lots().empty();
   if (nothing) return "Draw a closed outline on the ground: it becomes the lot.";
   const SessionState& state = *view.session->state;
+  if (!view.elements.empty() && view.mode == PointerMode::kSelect) {
+    return "Drag an element by its middle, an edge or a corner, or tap which shapes you mean.";
+  }
   if (!state.selection.shapes.empty()) return "Tap which shapes you mean, or tap more of them.";
   if (!state.sketch.suggestions.empty()) return "Tap what you meant, or draw on.";
   if (!state.sketch.strokes.empty() || !state.sketch.unread.empty()) {

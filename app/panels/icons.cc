@@ -103,6 +103,23 @@ constexpr Drawing kDrawings[] = {
      "m 12 3 l 20 7.5 l 20 16.5 l 12 21 l 4 16.5 l 4 7.5 z m 4 7.5 l 12 12 l 20 7.5 m 12 12 l 12 "
      "21"},
     {Icon::kRecord, "a 12 12 8.5 0 360 d 12 12 4"},
+    {Icon::kSameSize,
+     "m 3.5 6.5 l 10.5 6.5 l 10.5 17.5 l 3.5 17.5 z m 13.5 6.5 l 20.5 6.5 l 20.5 17.5 l 13.5 17.5 "
+     "z"},
+    {Icon::kAlignLeft,
+     "m 4 3.5 l 4 20.5 m 7 6 l 19 6 l 19 10.5 l 7 10.5 z m 7 13.5 l 14 13.5 l 14 18 l 7 18 z"},
+    {Icon::kCenterAcross,
+     "m 12 3 l 12 6 m 12 10.5 l 12 13.5 m 12 18 l 12 21 m 5 6 l 19 6 l 19 10.5 l 5 10.5 z "
+     "m 8 13.5 l 16 13.5 l 16 18 l 8 18 z"},
+    {Icon::kAlignRight,
+     "m 20 3.5 l 20 20.5 m 5 6 l 17 6 l 17 10.5 l 5 10.5 z m 10 13.5 l 17 13.5 l 17 18 l 10 18 z"},
+    {Icon::kAlignTop,
+     "m 3.5 4 l 20.5 4 m 6 7 l 10.5 7 l 10.5 19 l 6 19 z m 13.5 7 l 18 7 l 18 14 l 13.5 14 z"},
+    {Icon::kCenterUp,
+     "m 3 12 l 6 12 m 10.5 12 l 13.5 12 m 18 12 l 21 12 m 6 5 l 10.5 5 l 10.5 19 l 6 19 z "
+     "m 13.5 8 l 18 8 l 18 16 l 13.5 16 z"},
+    {Icon::kAlignBottom,
+     "m 3.5 20 l 20.5 20 m 6 5 l 10.5 5 l 10.5 17 l 6 17 z m 13.5 10 l 18 10 l 18 17 l 13.5 17 z"},
     {Icon::kQuery, "a 10.5 10.5 6.5 0 360 m 15.3 15.3 l 20.5 20.5"},
 };
 

@@ -65,6 +65,13 @@ enum class Icon : uint8_t {
   kOperation,
   kQuery,
   kRecord,
+  kSameSize,
+  kAlignLeft,
+  kCenterAcross,
+  kAlignRight,
+  kAlignTop,
+  kCenterUp,
+  kAlignBottom,
 };
 
 /// Draws it into the middle of a box with lines of that width [px].

@@ -1,7 +1,5 @@
 #include "app/panels/layout.h"
 
-#include <array>
-
 #include "app/panels/theme.h"
 
 namespace parti::app::panels {
@@ -58,23 +56,6 @@ Box SheetAt(const Box& button, float width, float height, const Box& room, float
   return Within(BoxAt(left ? button.x0 : button.x1 - w, y, w, h), room);
 }
 
-Box HandAt(const Vec2& pen_px, bool left_handed, double scale) {
-  const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
-  const float tip = Units(scale, 24), width = Units(scale, 300), height = Units(scale, 320);
-  return left_handed ? Box{x - width, y - tip, x + tip, y + height}
-                     : Box{x - tip, y - tip, x + width, y + height};
-}
-
-Box StandingCards::Stand(const Box& stroke_now, const std::optional<Vec2>& pen_px, float width,
-                         float height, const Box& room_now, bool left_handed, double scale) {
-  const bool same_size =
-      std::abs(at.width() - width) < 0.5f && std::abs(at.height() - height) < 0.5f;
-  if (stroke_now == stroke && room_now == room && same_size) return at;
-  stroke = stroke_now;
-  room = room_now;
-  return at = CardsBeside(stroke, pen_px, width, height, room, left_handed, scale);
-}
-
 Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
                double scale) {
   const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
@@ -89,35 +70,6 @@ Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, b
     if (moved.x0 == place.x0 && moved.y0 == place.y0) return place;
   }
   return Within(BoxAt(near, y - above - height, width, height), room);
-}
-
-Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
-                const Box& room, bool left_handed, double scale) {
-  const float gap = Units(scale, 16);
-  const float x0 = stroke.x0 - gap - width, x1 = stroke.x1 + gap;
-  const float y0 = stroke.y0 - gap - height, y1 = stroke.y1 + gap;
-  const float near = left_handed ? x1 : x0, far = left_handed ? x0 : x1;
-  const float level = stroke.middle_y() - height / 2;
-  std::array<Box, 8> places = {
-      BoxAt(near, level, width, height),
-      BoxAt(stroke.middle_x() - width / 2, y0, width, height),
-      BoxAt(far, level, width, height),
-      BoxAt(stroke.middle_x() - width / 2, y1, width, height),
-      BoxAt(room.x0, room.y0, width, height),
-      BoxAt(room.x1 - width, room.y0, width, height),
-      BoxAt(room.x0, room.y1 - height, width, height),
-      BoxAt(room.x1 - width, room.y1 - height, width, height),
-  };
-  const std::optional<Box> hand =
-      pen_px ? std::optional(HandAt(*pen_px, left_handed, scale)) : std::nullopt;
-  for (Box& place : places) {
-    place = Within(place, room);
-    if (!place.Overlaps(stroke) && !(hand && place.Overlaps(*hand))) return place;
-  }
-  const Vec2 pen = pen_px.value_or(Vec2(stroke.middle_x(), stroke.middle_y()));
-  return *std::max_element(places.begin(), places.end(), [&](const Box& a, const Box& b) {
-    return a.DistanceTo(pen) < b.DistanceTo(pen);
-  });
 }
 
 }  // namespace parti::app::panels

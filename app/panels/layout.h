@@ -1,8 +1,6 @@
 // Where panels stand in a window of any shape, for either hand: pure functions.
-// What is in them is the panels'.
+// What is in them is the panels'; cards beside the pen are cards.h's.
 #pragma once
-
-#include <optional>
 
 #include "app/panels/box.h"
 
@@ -38,27 +36,9 @@ Layout LayoutOf(const LayoutNeeds& needs);
 /// A sheet of this size under a button, or over it where there is more room, within `room`.
 Box SheetAt(const Box& button, float width, float height, const Box& room, float gap);
 
-/// Cards beside a stroke: outside it and clear of the hand, which lies below the pen on the side of
-/// the drawing hand; above or below it where there's no room beside; at worst in the farthest
-/// corner. Within `room` where they fit at all.
-Box CardsBeside(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
-                const Box& room, bool left_handed, double scale);
-
-/// Cards that stay where they came up: they don't run away from the pen that is on its way to them.
-struct StandingCards {
-  Box stroke, room, at;
-
-  /// As CardsBeside; where it was before, as long as all but the pen is as it was.
-  Box Stand(const Box& stroke, const std::optional<Vec2>& pen_px, float width, float height,
-            const Box& room, bool left_handed, double scale);
-};
-
 /// A word about what a pen hovers over: beside its tip and above it, on the side away from the
 /// hand, where there is room on the other; within `room` where it fits at all.
 Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
                double scale);
-
-/// What a hand covers that holds a pen at a place.
-Box HandAt(const Vec2& pen_px, bool left_handed, double scale);
 
 }  // namespace parti::app::panels

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/panels/box.h"
+#include "app/panels/cards.h"
 #include "app/panels/file_text.h"
 #include "app/panels/layer_rows.h"
 #include "app/panels/layout.h"
@@ -38,7 +39,7 @@ struct Memory {
   std::string view_name;
   bool drafts_seen = false;  ///< the card that offers them at the start was closed
   std::string doomed_draft;  ///< asked about: throw it away?
-  StandingCards suggestions, queries;
+  StandingCards suggestions, queries, element;
   std::vector<int> shown_node;    ///< path of the row in hand that was scrolled into sight
   std::vector<int> dragged_node;  ///< path of the row that is being moved; empty: none
 

@@ -32,7 +32,7 @@ enum class ViewRequest : uint8_t { kFit, kSouth, kEast, kNorth, kWest, kAbove, k
 
 /// For the session thread: Command, DocumentRequest; for the application: the others.
 using PanelCommand = std::variant<Command, DocumentRequest, ListFolder, ThrowAway, ViewRequest,
-                                  PointerMode, Settings>;
+                                  ElementCommand, PointerMode, Settings>;
 
 /// A sheet that lies on the drawing.
 struct PanelSheet {

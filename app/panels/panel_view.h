@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/placing/element_in_hand.h"
 #include "app/session_snapshot.h"
 #include "app/settings.h"
 #include "base/math.h"
@@ -20,7 +21,9 @@ enum class PointerMode : uint8_t { kDraw, kErase, kSelect, kOrbit, kPan, kZoom }
 struct PanelPen {
   std::optional<Vec2> position_px;  ///< in the view; absent: away
   bool down = false;                ///< it draws on the drawing: panels step aside
-  std::string word = {};            ///< what it hovers over: "corner of Facade"; "" nothing
+  /// What it hovers over: "corner of Facade"; or how what it drags stands: "1.20 m wide, 2.00 m
+  /// high"; "" nothing.
+  std::string word = {};
 };
 
 /// A name in a folder.
@@ -47,8 +50,10 @@ struct PanelView {
   PointerMode mode = PointerMode::kDraw;
   Vec2 size_px{1600, 1000};  ///< of the view, each in [1, 1e5]
   PanelPen pen;
-  std::optional<Vec2> tapped_px;  ///< where shapes were tapped last, in the view
-  bool has_keys = true;           ///< a keyboard is there; else fields bring up our own
+  std::optional<Vec2> tapped_px;         ///< where shapes were tapped last, in the view
+  std::vector<SeenElement> elements;     ///< that show handles on the drawing
+  std::optional<ElementInHand> element;  ///< the one of them that is in hand
+  bool has_keys = true;                  ///< a keyboard is there; else fields bring up our own
 };
 
 }  // namespace parti::app

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/panels/drafts.h"
+#include "app/panels/element_bar.h"
 #include "app/panels/keyboard.h"
 #include "app/panels/node_sheet.h"
 #include "app/panels/queries.h"
@@ -26,6 +27,7 @@ struct Seen {
   std::shared_ptr<const SessionSnapshot> session;
   Vec2 size_px{0, 0};
   bool pen_down = false;
+  std::string pen_word;
 };
 
 /// Scales are rounded, so that dragging a window's edge does not draw the letters anew all the way.
@@ -98,9 +100,10 @@ const PanelOutput& Panels::Parts::Frame(const PanelView& view, const PanelInput&
   output_.changed = false;
   took_key_ = false;
   const bool drawing = seen_.pen_down && view.pen.down && input.events.empty();
-  const bool same = seen_.session == view.session && seen_.size_px == view.size_px;
+  const bool same = seen_.session == view.session && seen_.size_px == view.size_px &&
+                    seen_.pen_word.empty() && view.pen.word.empty();
   if (drawing && same && !ui_.WouldStepAside(view.pen)) return output_;
-  seen_ = {view.session, view.size_px, view.pen.down};
+  seen_ = {view.session, view.size_px, view.pen.down, view.pen.word};
 
   view_ = view;
   view_.size_px = SaneSize(view.size_px);
@@ -195,6 +198,7 @@ void Panels::Parts::DrawAll() {
   DrawColumn();
   output_.preview = DrawSuggestions(&ui_, &memory_);
   output_.query_preview = DrawQueries(&ui_, &memory_);
+  DrawElementBar(&ui_, &memory_);
   DrawLeftDrafts(&ui_, &memory_);
   DrawOpenSheet(&ui_, &memory_);
   if (keyboard_shown()) keyboard_.Draw(&ui_, keyboard_box_);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/panels/element_bar.h"
 #include "app/panels/words.h"
 
 namespace parti::app::panels {
@@ -61,9 +62,14 @@ std::optional<size_t> DrawQueries(Ui* ui, Memory* memory) {
   const Vec2 tap = ui->view().tapped_px.value_or(Vec2(free.middle_x(), free.middle_y()));
   const float reach = ui->U(20);
   const auto x = static_cast<float>(tap.x), y = static_cast<float>(tap.y);
-  const Box sheet = memory->queries.Stand({x - reach, y - reach, x + reach, y + reach},
-                                          ui->view().pen.position_px, width, height, free,
-                                          ui->view().settings.left_handed, ui->scale());
+  const Box sheet = memory->queries.Stand({{x - reach, y - reach, x + reach, y + reach},
+                                           width,
+                                           height,
+                                           free,
+                                           ui->view().pen.position_px,
+                                           ui->view().settings.left_handed,
+                                           ui->scale(),
+                                           HandlesOf(*ui)});
   if (!ui->BeginSheet("Queries", sheet)) return std::nullopt;
   Box rest = sheet.Inset(gap);
   Box head = rest.CutTop(side, gap);

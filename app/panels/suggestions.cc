@@ -78,8 +78,14 @@ std::optional<size_t> DrawSuggestions(Ui* ui, Memory* memory) {
   const float height = std::min({content + side + 3 * gap, ui->U(340), free.height()});
   const Box stroke =
       LastStroke(state, ui->view().size_px).value_or(BoxAt(free.middle_x(), free.middle_y(), 1, 1));
-  const Box sheet = memory->suggestions.Stand(stroke, ui->view().pen.position_px, width, height,
-                                              free, ui->view().settings.left_handed, ui->scale());
+  const Box sheet = memory->suggestions.Stand({stroke,
+                                               width,
+                                               height,
+                                               free,
+                                               ui->view().pen.position_px,
+                                               ui->view().settings.left_handed,
+                                               ui->scale(),
+                                               {}});
   if (!ui->BeginSheet("Suggestions", sheet)) return std::nullopt;
 
   Box rest = sheet.Inset(gap);

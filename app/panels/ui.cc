@@ -395,7 +395,7 @@ void Ui::DrawNote() {
 
 void Ui::DrawPenWord() {
   const PanelPen& pen = view_->pen;
-  if (pen.word.empty() || pen.down || !pen.position_px) return;
+  if (pen.word.empty() || !pen.position_px) return;
   const Box room = window().Inset(U(4));
   const std::string word = Elided(pen.word, Letter::kSmall, room.width() - U(20));
   const float width = TextWidth(word, Letter::kSmall) + U(20);

@@ -142,7 +142,7 @@ class Ui {
   void Hairline(const Box& above);  ///< along its lower edge
   void Picture(Icon icon, const Box& box, Tone tone, Ground ground);
   void Note(const std::string& text, const Box& beside);
-  /// What the pen hovers over, beside its tip.
+  /// What the pen hovers over, or how what it drags stands, beside its tip.
   void DrawPenWord();
   ImDrawList* list() const;
 

@@ -1,29 +1,16 @@
 #include "app/placing/layer_drag.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "app/placing/layer_arranging.h"
 
 namespace parti::app {
 namespace {
 
 using grammar::InteractiveLayer;
-
-constexpr double kSameFrame_m = 1e-9;
-
-bool SameFrame(const grammar::Scope& a, const grammar::Scope& b) {
-  return glm::distance(a.origin, b.origin) <= kSameFrame_m &&
-         glm::distance(a.size, b.size) <= kSameFrame_m;
-}
-
-/// Whether pulling the one moves the other, too: nothing to snap to.
-bool ShareNumbers(const grammar::InteractiveRules& a, const grammar::InteractiveRules& b) {
-  for (const auto& mine : {a.bottom, a.left, a.width, a.height}) {
-    for (const auto& theirs : {b.bottom, b.left, b.width, b.height}) {
-      if (mine.file == theirs.file && mine.from == theirs.from) return true;
-    }
-  }
-  return false;
-}
 
 LayerDragParams At(LayerDragParams params, double scale) {
   params.reach_px *= scale;
@@ -40,16 +27,9 @@ double Within(double at, double from, double size) {
 }  // namespace
 
 LayerDrag::LayerDrag(std::shared_ptr<const PlacedLayers> placed, const LayerGrip& grip)
-    : placed_(std::move(placed)), grip_(grip) {
-  const PlacedLayer& mine = held();
-  for (const PlacedLayer& other : placed_->layers) {
-    if (SameFrame(other.frame, mine.frame) && !ShareNumbers(other.rules, mine.rules)) {
-      others_.push_back(other.rules.layer);
-    }
-  }
-  others_.push_back({"", "", 0, 0, mine.frame.size.x, mine.frame.size.y});
-  others_.push_back(mine.rules.layer);
-  now_.layer = mine.rules.layer;
+    : placed_(std::move(placed)), grip_(grip), others_(LayersBeside(*placed_, grip.layer)) {
+  others_.push_back(held().rules.layer);
+  now_.layer = held().rules.layer;
 }
 
 std::optional<LayerDrag> LayerDrag::Begin(std::shared_ptr<const PlacedLayers> placed,
@@ -85,11 +65,16 @@ InteractiveLayer LayerDrag::LayerNow(size_t layer) const {
   return grammar::Following(placed_->layers[layer].rules, held().rules, now_.layer);
 }
 
+std::string LayerDrag::Figures() const {
+  const InteractiveLayer& now = now_.layer;
+  // Two digits always: what follows the pen keeps its width.
+  return grip_.handle.whole()
+             ? fmt::format("{:.2f} m from the left, {:.2f} m up", now.left, now.bottom)
+             : fmt::format("{:.2f} m wide, {:.2f} m high", now.width, now.height);
+}
+
 std::optional<grammar::RuleFile> LayerDrag::Outcome() const {
-  const grammar::RuleFile& file = placed_->rules->files[held().rules.left.file];
-  std::string text = grammar::TextWith(*placed_->rules, held().rules, now_.layer);
-  if (text == file.text) return std::nullopt;
-  return grammar::RuleFile{file.name, std::move(text)};
+  return FileWith(*placed_, grip_.layer, now_.layer);
 }
 
 }  // namespace parti::app

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/placing/layer_grip.h"
@@ -40,6 +41,9 @@ class LayerDrag {
   bool moved() const { return moved_; }
   /// A layer as the text will have it: the one that is held, and what shares numbers with it.
   grammar::InteractiveLayer LayerNow(size_t layer) const;
+  /// How its numbers stand now: "4.00 m from the left, 0.50 m up", of an edge or a corner "1.50 m
+  /// wide, 2.50 m high".
+  std::string Figures() const;
   /// What it lies in line with now, among others().
   const grammar::SnappedLayer& snapped() const { return now_; }
   /// What it may snap to: the other layers in its frame, the face, and last where it was.

@@ -81,6 +81,19 @@ Vec2 PlaceOf(const InteractiveLayer& layer, LayerHandle handle) {
           layer.bottom + layer.height * (handle.up + 1) / 2};
 }
 
+SeenElement SeenAs(const grammar::Scope& frame, const InteractiveLayer& layer, const View& view) {
+  SeenElement seen;
+  for (const LayerHandle handle : kLayerHandles) {
+    const auto px = view.Project(frame.ToWorld({PlaceOf(layer, handle), 0}));
+    if (!px) continue;
+    const bool first = seen.handles_px.empty();
+    seen.low_px = first ? *px : glm::min(seen.low_px, *px);
+    seen.high_px = first ? *px : glm::max(seen.high_px, *px);
+    seen.handles_px.push_back(*px);
+  }
+  return seen;
+}
+
 std::optional<Vec2> OnFrame(const grammar::Scope& frame, const View& view, const Vec2& px) {
   if (!IsFinite(px)) return std::nullopt;
   const auto point =

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "app/placing/element_in_hand.h"
 #include "app/placing/placed_layers.h"
 #include "base/camera.h"
 #include "grammar/layers/layer_handle.h"
@@ -25,6 +26,10 @@ inline constexpr std::array<grammar::LayerHandle, 8> kLayerHandles = {
 
 /// Where a handle is in the frame's x and y: a corner, the middle of an edge, the middle; m.
 Vec2 PlaceOf(const grammar::InteractiveLayer& layer, grammar::LayerHandle handle);
+
+/// A rectangle in a frame with its handles as they are seen; those behind the eye are left out.
+SeenElement SeenAs(const grammar::Scope& frame, const grammar::InteractiveLayer& layer,
+                   const View& view);
 
 /// The point of the frame's plane at a pixel, in its x and y; m. Nothing where the plane is seen
 /// from the side, or lies behind the eye. Property: (1) the inverse of projecting.

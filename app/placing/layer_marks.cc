@@ -37,13 +37,13 @@ void AddDot(const Vec2& px, float diameter_px, const render::Vec4f& color,
   marks->push_back({{render::Vec2f(px)}, color, diameter_px});
 }
 
-/// A rectangle with its handles; the one that is meant or held is filled.
-void AddElement(const grammar::Scope& frame, const InteractiveLayer& layer,
+/// A rectangle with its handles; the one that is meant is filled.
+void AddElement(const grammar::Scope& frame, const InteractiveLayer& layer, bool stands_out,
                 const std::optional<LayerHandle>& meant, const View& view,
                 std::vector<render::Mark>* marks, const DrawingStyle& style) {
   Lines lines(frame);
   lines.AddRectangle(layer);
-  const render::Vec4f color = meant ? style.selected : style.layer;
+  const render::Vec4f color = stands_out ? style.selected : style.layer;
   Project({WorldMarks{lines.Taken(), color, style.layer_px}}, view, marks);
   for (const LayerHandle handle : kLayerHandles) {
     const auto px = view.Project(frame.ToWorld({PlaceOf(layer, handle), 0}));
@@ -91,14 +91,19 @@ void AddGuide(const LayerDrag& drag, const std::optional<LayerSnap>& snap, gramm
 
 }  // namespace
 
-void AddLayerMarks(const PlacedLayers& placed, const std::optional<LayerGrip>& meant,
-                   const View& view, std::vector<render::Mark>* marks, const DrawingStyle& style) {
+void AddLayerMarks(const PlacedLayers& placed, const LayersMeant& meant, const View& view,
+                   std::vector<render::Mark>* marks, const DrawingStyle& style) {
   // The uppermost last, over the others.
   for (size_t i = placed.layers.size(); i-- > 0;) {
     std::optional<LayerHandle> handle;
-    if (meant && meant->layer == i) handle = meant->handle;
-    AddElement(placed.layers[i].frame, placed.layers[i].rules.layer, handle, view, marks, style);
+    if (meant.grip && meant.grip->layer == i) handle = meant.grip->handle;
+    AddElement(placed.layers[i].frame, placed.layers[i].rules.layer, handle || meant.held == i,
+               handle, view, marks, style);
   }
+  if (!meant.held || !meant.by) return;
+  Lines by(placed.layers[*meant.held].frame);
+  by.AddRectangle(*meant.by);
+  Project({WorldMarks{by.Taken(), style.guide, style.guide_px}}, view, marks);
 }
 
 void AddLayerMarks(const LayerDrag& drag, const View& view, std::vector<render::Mark>* marks,
@@ -107,7 +112,7 @@ void AddLayerMarks(const LayerDrag& drag, const View& view, std::vector<render::
   for (size_t i = layers.size(); i-- > 0;) {
     std::optional<LayerHandle> handle;
     if (drag.grip().layer == i) handle = drag.grip().handle;
-    AddElement(layers[i].frame, drag.LayerNow(i), handle, view, marks, style);
+    AddElement(layers[i].frame, drag.LayerNow(i), handle.has_value(), handle, view, marks, style);
   }
   Lines guides(layers[drag.grip().layer].frame);
   AddGuide(drag, drag.snapped().across, grammar::LayerAxis::kHorizontal, &guides);

@@ -11,10 +11,16 @@
 
 namespace parti::app {
 
-/// Adds the layers of a face as they are. `meant`: what a pen would take hold of.
-void AddLayerMarks(const PlacedLayers& placed, const std::optional<LayerGrip>& meant,
-                   const View& view, std::vector<render::Mark>* marks,
-                   const DrawingStyle& style = {});
+/// Which of the layers stand out.
+struct LayersMeant {
+  std::optional<LayerGrip> grip = {};                ///< what a pen would take hold of, or holds
+  std::optional<size_t> held = {};                   ///< the layer in hand
+  std::optional<grammar::InteractiveLayer> by = {};  ///< what that is arranged by
+};
+
+/// Adds the layers of a face as they are.
+void AddLayerMarks(const PlacedLayers& placed, const LayersMeant& meant, const View& view,
+                   std::vector<render::Mark>* marks, const DrawingStyle& style = {});
 
 /// The same while one is dragged: where they would be, and what it snapped to.
 void AddLayerMarks(const LayerDrag& drag, const View& view, std::vector<render::Mark>* marks,

@@ -11,6 +11,8 @@
 #include "app/command.h"
 #include "app/hands.h"
 #include "app/latest_worker.h"
+#include "app/placing/element_in_hand.h"
+#include "app/placing/held_element.h"
 #include "app/placing/layer_marks.h"
 
 namespace parti::app {
@@ -35,8 +37,11 @@ class Placing {
 
   /// One report of a drag of act kSelect, seen in this view. scale: of the display.
   PlacingStep Take(const DragAct& drag, const View& view, double scale);
-  /// The command of the last drag was posted as request `number`: until that is executed and looked
-  /// at, what was dragged is shown where it was left.
+  /// What a button does with the element in hand; the command to be posted, if it changes the
+  /// rules. While the last one is still on its way, nothing.
+  std::optional<SetRuleText> Do(ElementCommand command);
+  /// The command of the last drag or button was posted as request `number`: until that is executed
+  /// and looked at, what was dragged is shown where it was left.
   void Await(uint64_t number);
   /// Lets go of what is dragged and leaves all as it was; whether anything was dragged.
   bool Cancel();
@@ -46,8 +51,14 @@ class Placing {
   /// A pen that would select hovers there. Whether marks look different.
   bool HoverAt(const Vec2& px, const View& view, double scale);
   bool HoverEnd();
-  /// "Door", "edge of Door": what the hovering pen would take hold of; "" nothing.
+  /// "Door", "edge of Door": what the hovering pen would take hold of; while an element is dragged
+  /// where it is, or how large: "4 m from the left, 0.5 m up"; "" nothing.
   std::string word() const;
+
+  /// The element in hand, the one that was dragged or tapped last; nothing while one is dragged.
+  std::optional<ElementInHand> InHand(const View& view) const;
+  /// All that show handles; what lies behind the eye is left out.
+  std::vector<SeenElement> Seen(const View& view) const;
 
   /// Adds what is to be seen of it in a view.
   void AddMarks(const View& view, std::vector<render::Mark>* marks) const;
@@ -73,6 +84,8 @@ class Placing {
   };
 
   bool UpToDate() const { return found_.state == state_; }
+  /// What is seen is not what the model is by now: the hand has to wait for a moment.
+  bool Waits() const { return posted_ > executed_ || !UpToDate(); }
   void LetGoOfLeft();
   PlacingStep Begin(const DragAct& drag, const View& view, double scale);
   PlacingStep End(const DragAct& drag, const View& view);
@@ -82,7 +95,8 @@ class Placing {
   Found found_;                    // of the newest state that has been looked at
   std::optional<LayerDrag> drag_;  // that goes on
   std::optional<LayerDrag> left_;  // that has ended, and is not to be seen in the model yet
-  uint64_t left_request_ = 0;
+  uint64_t posted_ = 0;            // the last request; none yet of its number: UINT64_MAX
+  HeldElement held_;
   std::optional<int> device_;  // whose drag is taken
   std::optional<LayerGrip> meant_;
   LatestWorker<State, Found> worker_{Finder()};

@@ -230,4 +230,38 @@ std::shared_ptr<const SessionSnapshot> InTrouble(
   return troubled;
 }
 
+namespace {
+
+SeenElement SeenFrom(const Vec2& low, const Vec2& high) {
+  const Vec2 middle = (low + high) / 2.0;
+  SeenElement seen{low, high, {}};
+  for (const double x : {low.x, middle.x, high.x}) {
+    for (const double y : {low.y, middle.y, high.y}) {
+      if (Vec2(x, y) != middle) seen.handles_px.emplace_back(x, y);
+    }
+  }
+  return seen;
+}
+
+}  // namespace
+
+void HoldElement(PanelView* view) {
+  view->session = LayeredHouse(".Board");
+  view->mode = PointerMode::kSelect;
+  const Vec2 middle = view->size_px / 2.0;
+  const auto seen = [&](const Vec2& low, const Vec2& high) {
+    return SeenFrom(middle + low * view->scale, middle + high * view->scale);
+  };
+  view->elements = {seen({-60, 20}, {0, 120}), seen({-90, -120}, {160, -10})};
+  view->tapped_px = middle + Vec2(120, 40) * view->scale;
+  ElementInHand door;
+  door.layer = {"Door", "DoorElement", 0, 4, 1.5, 2.5};
+  door.by = "Windows";
+  door.by_others = true;
+  door.changes = {true, true, true, true, true, true, false};
+  door.low_px = view->elements[0].low_px;
+  door.high_px = view->elements[0].high_px;
+  view->element = door;
+}
+
 }  // namespace parti::app::tests

@@ -61,6 +61,9 @@ std::shared_ptr<const SessionSnapshot> WholeHouse();
 std::shared_ptr<const SessionSnapshot> HouseWithTaps(int taps);
 /// A house made by rule files with layers; the first shape of a query, if any, is tapped.
 std::shared_ptr<const SessionSnapshot> LayeredHouse(const std::string& tapped = "");
+/// A façade tapped, with two elements that can be placed by hand in the middle of the window; the
+/// lower one is in hand.
+void HoldElement(PanelView* view);
 /// The same with a node in hand.
 std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const SessionSnapshot>& session,
                                              const NodePath& path);

@@ -107,6 +107,11 @@ TEST_P(PanelsGolden, Queries) {
   Look("queries");
 }
 
+TEST_P(PanelsGolden, AnElementInHand) {
+  HoldElement(&panels_.view);
+  Look("element", {"Element"});
+}
+
 TEST_P(PanelsGolden, Drafts) {
   auto nothing = std::make_shared<SessionSnapshot>();
   nothing->state = std::make_shared<const SessionState>();

@@ -198,6 +198,41 @@ TEST_F(PanelsSheets, WithoutAKeyboardOneComesUpAndTypes) {
   EXPECT_FALSE(ShowsSheet("Keyboard"));
 }
 
+TEST_F(PanelsSheets, TheElementInHandIsArrangedByButtons) {
+  HoldElement(&panels_.view);
+  EXPECT_TRUE(panels_.Says("1.5 × 2.5 m, 4 m from the left, 0 m up"));
+  EXPECT_THAT(panels_.Tap("Element/Same size"),
+              ElementsAre(PanelCommand(ElementCommand::kSameSize)));
+  EXPECT_THAT(panels_.Tap("Element/Middles in line, in height"),
+              ElementsAre(PanelCommand(ElementCommand::kCenterUp)));
+  EXPECT_THAT(panels_.Tap("Element/Bottom edges"), IsEmpty()) << "they are in line";
+  EXPECT_THAT(panels_.Tap("Element/By the next"),
+              ElementsAre(PanelCommand(ElementCommand::kByNext)));
+  EXPECT_THAT(panels_.Tap("Element/Let go"), ElementsAre(PanelCommand(ElementCommand::kLetGo)));
+}
+
+TEST_F(PanelsSheets, CardsLeaveHandlesClear) {
+  HoldElement(&panels_.view);
+  for (const Vec2& tapped : {Vec2(620, 480), Vec2(700, 350), Vec2(560, 300)}) {
+    panels_.view.tapped_px = tapped;
+    const PanelOutput& output = panels_.Frame();
+    for (const SeenElement& element : panels_.view.elements) {
+      for (const Vec2& px : element.handles_px) {
+        EXPECT_FALSE(output.IsOverSheet(px)) << px.x << ", " << px.y << " of " << tapped.x;
+      }
+    }
+  }
+}
+
+TEST_F(PanelsSheets, FiguresFollowThePenThatDrags) {
+  panels_.view.pen = {Vec2(700, 500), true, "1.50 m wide, 2.50 m high"};
+  EXPECT_TRUE(panels_.Says("1.50 m wide"));
+  panels_.view.pen.word = "1.60 m wide, 2.50 m high";
+  EXPECT_TRUE(panels_.Says("1.60 m wide")) << "while the pen is down";
+  panels_.view.pen.word = "";
+  EXPECT_FALSE(panels_.Says("1.60 m wide"));
+}
+
 TEST_F(PanelsSheets, PanelsWithinReachStepAsideWhileThePenDraws) {
   const Vec2 beside = MiddleOf(panels_.Find("Tools/Undo")) + Vec2(80, 0);
   panels_.view.pen = {beside, true};

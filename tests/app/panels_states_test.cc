@@ -58,6 +58,7 @@ const StateCase kStates[] = {
        p->view.session = HouseWithTaps(2);
        p->view.tapped_px = p->view.size_px / 2.0;
      }},
+    {"Element", [](PanelDriver* p) { HoldElement(&p->view); }},
     {"Trouble", [](PanelDriver* p) { p->view.session = InTrouble(WholeHouse()); }},
     {"Drafts",
      [](PanelDriver* p) {
@@ -244,6 +245,7 @@ void AnyChange(PanelView* view) {
   view->size_px = *rc::gen::element(Vec2(1600, 1000), Vec2(800, 600), Vec2(1, 1), Vec2(0, -4),
                                     Vec2(std::numeric_limits<double>::quiet_NaN(), 1e9));
   view->has_keys = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) HoldElement(view);
   view->pen.down = *rc::gen::arbitrary<bool>();
   view->settings.left_handed = *rc::gen::arbitrary<bool>();
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "app/panels/cards.h"
 #include "app/panels/drafts.h"
 #include "app/panels/layout.h"
 #include "app/panels/letters.h"
@@ -83,7 +84,7 @@ RC_GTEST_PROP(PanelLayout, CardsLieInTheirRoomAndNeverUnderTheHand, ()) {
   const bool left = *rc::gen::arbitrary<bool>();
   const Box room{80, 80, 1520, 920};
   const Vec2 pen(x, y);
-  const Box cards = CardsBeside({x - 60, y - 40, x, y}, pen, 264, 200, room, left, 1);
+  const Box cards = CardsBeside({{x - 60, y - 40, x, y}, 264, 200, room, pen, left, 1, {}});
   RC_ASSERT(cards.x0 >= room.x0 && cards.x1 <= room.x1);
   RC_ASSERT(cards.y0 >= room.y0 && cards.y1 <= room.y1);
   RC_ASSERT(!cards.Overlaps(HandAt(pen, left, 1)));
@@ -91,17 +92,33 @@ RC_GTEST_PROP(PanelLayout, CardsLieInTheirRoomAndNeverUnderTheHand, ()) {
 
 TEST(PanelLayoutTest, CardsAreOnTheSideOfTheOtherHand) {
   const Box stroke{780, 480, 820, 520}, room{0, 0, 1600, 1000};
-  EXPECT_LT(CardsBeside(stroke, Vec2(820, 520), 264, 200, room, false, 1).x1, stroke.x0);
-  EXPECT_GT(CardsBeside(stroke, Vec2(780, 520), 264, 200, room, true, 1).x0, stroke.x1);
+  EXPECT_LT(CardsBeside({stroke, 264, 200, room, Vec2(820, 520), false, 1, {}}).x1, stroke.x0);
+  EXPECT_GT(CardsBeside({stroke, 264, 200, room, Vec2(780, 520), true, 1, {}}).x0, stroke.x1);
 }
 
 TEST(PanelLayoutTest, CardsStayWhereTheyCameUpWhileThePenComesNear) {
   const Box stroke{780, 480, 820, 520}, room{0, 0, 1600, 1000};
   StandingCards cards;
-  const Box at = cards.Stand(stroke, Vec2(820, 520), 264, 200, room, false, 1);
-  EXPECT_EQ(cards.Stand(stroke, Vec2(at.x1 + 5, 500), 264, 200, room, false, 1), at);
-  const Box moved{80, 80, 120, 120};
-  EXPECT_FALSE(cards.Stand(moved, std::nullopt, 264, 200, room, false, 1) == at);
+  CardNeeds needs{stroke, 264, 200, room, Vec2(820, 520), false, 1, {}};
+  const Box at = cards.Stand(needs);
+  needs.pen_px = Vec2(at.x1 + 5, 500);
+  EXPECT_EQ(cards.Stand(needs), at);
+  needs.clear_of = {{at.x1 + 10, at.y0, at.x1 + 20, at.y1}};
+  EXPECT_EQ(cards.Stand(needs), at) << "that is beside it";
+  needs.clear_of = {at.Inset(20)};
+  EXPECT_FALSE(cards.Stand(needs).Overlaps(at.Inset(20)));
+  needs.stroke = {80, 80, 120, 120};
+  needs.pen_px.reset();
+  EXPECT_FALSE(cards.Stand(needs) == at);
+}
+
+TEST(PanelLayoutTest, CardsLeaveAsMuchClearAsTheyCan) {
+  const Box stroke{780, 480, 820, 520}, room{0, 0, 1600, 1000};
+  CardNeeds needs{stroke, 264, 200, room, std::nullopt, false, 1, {}};
+  needs.clear_of = {{400, 300, 760, 700}, {700, 0, 830, 390}};
+  EXPECT_GE(CardsBeside(needs).x0, stroke.x1) << "left and above something lies";
+  needs.clear_of.push_back({0, 0, 1600, 1000});
+  EXPECT_GE(CardsBeside(needs).x0, stroke.x1) << "one thing is better than two";
 }
 
 RC_GTEST_PROP(PanelLayout, AWordBesideThePenIsInTheWindowAndNeverUnderTheTip, ()) {

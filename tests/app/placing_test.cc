@@ -186,6 +186,59 @@ TEST_F(PlacingTest, RulesThatChangeMeanwhileLetGo) {
   EXPECT_EQ(Text(), kPlacedRules);
 }
 
+TEST_F(PlacingTest, TheElementDroppedLastIsArrangedByButtons) {
+  DragAndDrop(kDoor, kElsewhere);
+  TapOn("Element/Left edges");
+  EXPECT_EQ(Text(), DoorAt("2", "1.22"));
+  TapOn("Element/Same size");
+  EXPECT_NE(Text().find("door_left, 14, ~1"), std::string::npos) << Text();
+  Do("undo");
+  EXPECT_EQ(Text(), DoorAt("2", "1.22"));
+  TapOn("Element/By the next");
+  EXPECT_THAT(Words(), testing::Contains("Arrange by the whole face"));
+  TapOn("Element/Bottom edges");
+  EXPECT_EQ(Text(), DoorAt("2", "0"));
+}
+
+TEST_F(PlacingTest, ATapTakesAnElementInHandAndLetsItGo) {
+  EXPECT_THAT(Words(), testing::Not(testing::Contains("Arrange by Windows")));
+  Tap(kDoor);
+  EXPECT_THAT(Words(), testing::Contains("Arrange by Windows"));
+  TapOn("Element/Let go");
+  EXPECT_THAT(Words(), testing::Not(testing::Contains("Arrange by Windows")));
+}
+
+TEST_F(PlacingTest, TwoTapsAtOnceCountAsOne) {
+  Tap(kDoor);
+  for (int i = 0; i < 2; ++i) application_->Do(PanelCommand(ElementCommand::kCenterAcross));
+  Settle();
+  EXPECT_EQ(Text(), DoorAt("8.25", "0"));
+  Do("undo");
+  EXPECT_EQ(Text(), kPlacedRules);
+}
+
+TEST_F(PlacingTest, WhereAnElementWouldBeIsToldBesideThePen) {
+  Drag(kDoor, kElsewhere);
+  EXPECT_THAT(Words(), testing::Contains("16.50 m from the left, 1.22 m up"));
+  Drop(kElsewhere);
+  EXPECT_THAT(Words(), testing::Not(testing::Contains("16.50 m from the left, 1.22 m up")));
+  Drag({9, 8}, {11, 7.31});
+  EXPECT_THAT(Words(), testing::Contains("14.00 m wide, 3.31 m high"));
+}
+
+TEST_F(PlacingTest, CardsLeaveTheHandlesClear) {
+  Tap({9.1, 6});
+  const PanelOutput& panels = application_->panels();
+  for (const Vec2& handle : {Vec2(4, 0), Vec2(5.5, 2.5), Vec2(2, 8), Vec2(16, 4), Vec2(9, 8)}) {
+    EXPECT_FALSE(panels.IsOverSheet(OnFront(handle))) << handle.x << ", " << handle.y;
+  }
+}
+
+TEST_F(PlacingTest, TheBarStandsBesideTheElement) {
+  Tap(kDoor);
+  ExpectGolden(Seen(), "../../docs/arranging");
+}
+
 TEST_F(PlacingTest, WhatThePenWouldTakeIsNamed) {
   Pen(PenEvent::Kind::kProximityIn, OnFront({2, 8}));
   Settle();

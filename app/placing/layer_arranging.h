@@ -1,0 +1,31 @@
+// Arranging an element that is placed by hand by another one on its face, or by the face (Jesus
+// 2018, 8.2.1: same size, align, center), and the text of the rules that comes of it.
+// What pulling does is layer_drag.h's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/placing/element_in_hand.h"
+#include "app/placing/placed_layers.h"
+
+namespace parti::app {
+
+/// What a layer can fall in with: the others in its frame that share no numbers with it, the
+/// uppermost first, and last the face, without a name.
+std::vector<grammar::InteractiveLayer> LayersBeside(const PlacedLayers& placed, size_t layer);
+
+/// The layer as one of the first kArrangements commands makes it; itself for the others.
+grammar::InteractiveLayer Arranged(const grammar::InteractiveLayer& layer, ElementCommand how,
+                                   const grammar::InteractiveLayer& by);
+
+/// The file of the rules with a layer's numbers in its text; nothing where they are as they were,
+/// to the millimetre.
+std::optional<grammar::RuleFile> FileWith(const PlacedLayers& placed, size_t layer,
+                                          const grammar::InteractiveLayer& now);
+
+/// Which of the arrangements would change the text.
+std::array<bool, kArrangements> ChangesOf(const PlacedLayers& placed, size_t layer,
+                                          const grammar::InteractiveLayer& by);
+
+}  // namespace parti::app
