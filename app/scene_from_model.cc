@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/covered_edges.h"
 #include "app/crease_lines.h"
 #include "grammar/item_surface.h"
 
@@ -58,12 +59,20 @@ void AddSegments(const std::vector<Segment3>& segments, render::Lines* lines) {
   }
 }
 
+void AddCreases(const std::vector<Segment3>& edges, const Vec3& behind, const DrawingStyle& style,
+                Scene* scene) {
+  render::Lines creases{{}, style.crease, style.crease_px};
+  creases.behind = Vec3f(behind);
+  AddSegments(WithoutOverlaps(edges), &creases);
+  if (!creases.ends.empty()) scene->lines.push_back(std::move(creases));
+}
+
 }  // namespace
 
 void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
               const DrawingStyle& style) {
-  std::vector<Segment3> edges;
-  for (const grammar::ShapeIndex i : tree.Leaves()) {
+  const std::vector<grammar::ShapeIndex> leaves = tree.Leaves();
+  for (const grammar::ShapeIndex i : leaves) {
     const grammar::Shape& shape = tree[i];
     for (const grammar::SurfacePart& part : grammar::SurfaceOf(shape.item)) {
       Item worn = shape.item;
@@ -74,12 +83,12 @@ void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
                               grammar::IsClosedBody(shape.item)});
       Wear(part, &scene->faces.back());
     }
-    const std::vector<Segment3> own = grammar::EdgesOf(shape.item);
-    edges.insert(edges.end(), own.begin(), own.end());
   }
-  render::Lines creases{{}, style.crease, style.crease_px};
-  AddSegments(WithoutOverlaps(edges), &creases);
-  if (!creases.ends.empty()) scene->lines.push_back(std::move(creases));
+  const SortedEdges edges = SortEdges(tree, leaves);
+  AddCreases(edges.open, Vec3(0, 0, 0), style, scene);
+  for (const CoveredEdges& covered : edges.covered) {
+    AddCreases(covered.edges, covered.normal, style, scene);
+  }
 }
 
 void AddModels(std::span<const grammar::ShapeTree* const> trees, Scene* scene, uint32_t first_id,

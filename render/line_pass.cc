@@ -11,6 +11,7 @@ void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const
   gl.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   program.Use();
   program.Set("clip_from_world", frame.clip_from_world);
+  program.Set("eye", frame.eye);
   program.Set("picture", Vec2f(frame.size));
   program.Set("near", static_cast<float>(frame.range.near_m));
   program.Set("pull", frame.look.line_pull);

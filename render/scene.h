@@ -38,6 +38,9 @@ struct Lines {
   float width_px = 1.5f;
   float dash_px = 0;  ///< 0: solid
   bool on_top = false;
+  /// Where faces lie before all of these lines, in their planes: the unit normal of those faces. An
+  /// eye on the side that it points to does not see the lines. 0: there are none.
+  Vec3f behind{0, 0, 0};
 };
 
 /// Ink on the picture, in pixels: a polyline with a width at each point, round ends and joints.

@@ -4,8 +4,10 @@ layout(location = 0) in vec3 end_a;
 layout(location = 1) in vec3 end_b;
 layout(location = 2) in vec4 color;  // sRGB, alpha
 layout(location = 3) in vec2 width_and_dash;  // px
+layout(location = 4) in vec4 behind;  // normal of the face that the line lies on the back of, or 0
 
 uniform mat4 clip_from_world;
+uniform vec3 eye;
 uniform vec2 picture;  // px
 uniform float near;    // m
 uniform float pull;    // towards the eye, of the distance to it
@@ -26,6 +28,7 @@ void main() {
   shape = vec3(0.0);
   along_across = vec2(0.0);
   if (a.w < near && b.w < near) return;
+  if (dot(behind.xyz, eye - end_a) > 0.0) return;
   vec4 cut = mix(a, b, (near - a.w) / (b.w - a.w));
   if (a.w < near) a = cut;
   if (b.w < near) b = cut;

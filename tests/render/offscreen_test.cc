@@ -151,6 +151,18 @@ TEST_P(Offscreen, AFaceHidesLinesBehindItButNotItsOwnEdges) {
   EXPECT_FALSE(IsDark(PixelAt(image, 200, 245)));
 }
 
+TEST_P(Offscreen, LinesBehindAFaceAreNotSeenFromItsFront) {
+  Scene scene;
+  scene.ground = false;
+  Lines line{{{-1, 0.505f, 0}, {1, 0.505f, 0}}, {0, 0, 0, 1}, 3};
+  line.behind = {0, 0, 1};
+  scene.lines.push_back(line);
+  EXPECT_TRUE(IsPaper(PixelAt(Draw(scene, Front()), 200, 149)));
+  Camera back = Front();
+  back.eye.z = -20;
+  EXPECT_TRUE(IsDark(PixelAt(Draw(scene, back), 200, 149)));
+}
+
 TEST_P(Offscreen, EveryDirectionOfABoxHasItsOwnShade) {
   Scene scene;
   scene.ground = false;
