@@ -13,11 +13,11 @@ namespace parti::input {
 
 /// Bounds that no honest drawing reaches; beyond them a file is damaged or hostile.
 struct DrawingLimits {
-  static constexpr size_t kLines = 20'000'000;  ///< events and commands; 27 h of pen at 200 Hz
-  static constexpr size_t kLineBytes = 65'536;  ///< one line, its end not counted
-  static constexpr int kDevices = 1'000;        ///< come and gone, in one drawing
-  static constexpr double kSeconds = 1e7;       ///< length of a drawing: 115 days
-  static constexpr double kMillimetres = 1e5;   ///< distance from the surface's corner: 100 m
+  static constexpr size_t kLines = 20'000'000;     ///< events and commands; 27 h of pen at 200 Hz
+  static constexpr size_t kLineBytes = 8'388'608;  ///< a line without its end; may be a rule file
+  static constexpr int kDevices = 1'000;           ///< come and gone, in one drawing
+  static constexpr double kSeconds = 1e7;          ///< length of a drawing: 115 days
+  static constexpr double kMillimetres = 1e5;      ///< distance from the surface's corner: 100 m
   static constexpr double kTiltDegrees = 90;
   static constexpr uint32_t kEvdevCode = 0xffff;  ///< of buttons and keys: evdev's are 16 bits
   static constexpr size_t kNameBytes = 1'000;     ///< of a device's name

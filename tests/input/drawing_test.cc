@@ -256,9 +256,9 @@ INSTANTIATE_TEST_SUITE_P(
                       BadLine{"end of it", 5, "words after `end`"}));
 
 TEST(Drawing, LineOfAnySizeIsRefusedWithoutShowingItAll) {
-  const DrawingReading reading = WithLine("after 1: " + std::string(1 << 20, 'x'));
+  const DrawingReading reading = WithLine("after 1: " + std::string(1 << 24, 'x'));
   ASSERT_TRUE(reading.damage);
-  EXPECT_THAT(reading.damage->message, HasSubstr("a line of 1048585 bytes"));
+  EXPECT_THAT(reading.damage->message, HasSubstr("a line of 16777225 bytes"));
   EXPECT_LT(FormatError(*reading.damage).size(), 1000u);
 }
 
@@ -274,11 +274,22 @@ TEST(WriteDrawing, RefusesWhatTheReaderWouldCallDamage) {
   EXPECT_THAT(error({Pen(Kind::kMotion, 1, {1, 1})}), HasSubstr("there is no device 0"));
   EXPECT_THAT(error({PenAdded()}, {{1, "pick 1", {}}}), HasSubstr("no place for the command"));
   EXPECT_THAT(error({PenAdded()}, {{0, "pick 1\nend", {}}}), HasSubstr("line break"));
-  EXPECT_THAT(error({PenAdded()}, {{0, std::string(70000, 'x'), {}}}), HasSubstr("70000 bytes"));
+  EXPECT_THAT(error({PenAdded()}, {{0, std::string(1 << 23, 'x'), {}}}),
+              HasSubstr("8388608 bytes"));
   auto strokes = StrokeEvents("0,0 1,1", 0.5);
   strokes.insert(strokes.begin(), PenAdded());
   EXPECT_THAT(error(strokes, {{1, "pick 1", {}}, {0, "lot rect(1,1)", {}}}),
               HasSubstr("no place for the command after stroke 0"));
+}
+
+TEST(WriteDrawing, TakesTheTextOfALongRuleFile) {
+  const std::string text = "rule-text " + std::string(1'000'000, 'x');
+  const auto written = WriteDrawing({{PenAdded()}, {{0, text, {}}}});
+  ASSERT_TRUE(written);
+  const DrawingReading reading = ReadDrawing(*written);
+  EXPECT_FALSE(reading.damage);
+  ASSERT_EQ(reading.drawing.commands.size(), 1u);
+  EXPECT_EQ(reading.drawing.commands[0].text, text);
 }
 
 TEST(WriteDrawing, PutsEachCommandRightAfterItsStroke) {
