@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/document.h"
+#include "grammar/rules/rule_workers.h"
 
 namespace parti::app {
 namespace {
@@ -63,6 +64,7 @@ Result<RuleSource> SourceOf(const ModelOptions& options) {
 
 tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& options,
                                                        const grammar::RuleThreads& threads) {
+  if (threads.count != 1) grammar::BeginRuleWorkers();  // while the text is read
   auto source = SourceOf(options);
   if (!source) return Failed({source.error()});
   auto rules = ReadRules(options.file, &*source);

@@ -1,14 +1,13 @@
 #include "grammar/rules/rule_derivation.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <optional>
 #include <utility>
 
 #include "grammar/rules/rule_parts.h"
+#include "grammar/rules/rule_workers.h"
 
 namespace parti::grammar {
 namespace {
@@ -23,13 +22,14 @@ class LotDerivation {
         run_{program,           lot_,          attributes_,         limits_, settings.seed,
              threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}} {}
 
-  Result<ShapeTree> Run(const RuleSettings& settings, bool at_once) {
+  /// By the arena's threads, or in order where there is none.
+  Result<ShapeTree> Run(const RuleSettings& settings, RuleArena* arena) {
     auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_);
     if (!attributes) return Fail(attributes);
     attributes_ = std::move(*attributes);
     if (run_.now_s != nullptr) run_.until_s = run_.now_s() + limits_.seconds;
     ShapeTree tree = Root();
-    if (at_once && DeriveAtOnce(run_, &tree, First())) return tree;
+    if (arena != nullptr && DeriveAtOnce(run_, &tree, First(), arena)) return tree;
     // One after the other, failures and limits name the same shape on any number of threads.
     tree = Root();
     const auto done = DeriveInOrder(run_, &tree, First());
@@ -67,25 +67,30 @@ class LotsDerivation {
         threads_(threads),
         results_(lots.size()) {}
 
-  void RunLot(size_t i, bool at_once) {
+  void RunLot(size_t i, RuleArena* arena) {
     if (i > first_failed_.load(std::memory_order_relaxed)) return;
     LotDerivation lot(program_, settings_, lots_[i], static_cast<uint32_t>(i), threads_);
-    results_[i] = lot.Run(settings_, at_once);
+    results_[i] = lot.Run(settings_, arena);
     if (*results_[i]) return;
     size_t first = first_failed_.load();
     while (i < first && !first_failed_.compare_exchange_weak(first, i)) {
     }
   }
 
+  void RunInOrder() {
+    for (size_t i = 0; i < lots_.size(); ++i) RunLot(i, nullptr);
+  }
+
+  /// Until there is help, one after the other.
   void RunAtOnce(int threads) {
-    std::optional<tbb::global_control> allowed;
-    if (threads > 0) {
-      allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
-    }
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    const bool few = lots_.size() < 4 * static_cast<size_t>(arena.max_concurrency());
-    arena.execute(
-        [&] { tbb::parallel_for(size_t{0}, lots_.size(), [&](size_t i) { RunLot(i, few); }); });
+    BeginRuleWorkers();
+    RuleArena arena(threads);
+    const bool few = lots_.size() < 4 * static_cast<size_t>(arena.threads());
+    const auto run = [&](size_t i) { RunLot(i, few ? &arena : nullptr); };
+    size_t next = 0;
+    while (next < lots_.size() && !AreRuleWorkersReady()) run(next++);
+    if (next == lots_.size()) return;
+    arena.Execute([&] { tbb::parallel_for(next, lots_.size(), run); });
   }
 
   Result<std::vector<ShapeTree>> Take() {
@@ -120,7 +125,7 @@ Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSetti
   const RuleProgram program = ProgramOf(rules, *start, threads.assets);
   LotsDerivation all(program, settings, lots, threads);
   if (threads.count == 1) {
-    for (size_t i = 0; i < lots.size(); ++i) all.RunLot(i, false);
+    all.RunInOrder();
   } else {
     all.RunAtOnce(threads.count);
   }

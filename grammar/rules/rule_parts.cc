@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "grammar/rules/rule_scene.h"
+#include "grammar/rules/rule_workers.h"
 
 namespace parti::grammar {
 namespace {
@@ -34,7 +35,9 @@ struct Spent {
 /// Part of a lot's tree, or all of it: from a task to everything that comes of it.
 class PartDerivation {
  public:
-  PartDerivation(const LotRun& run, ShapeTree* tree) : run_(run), tree_(tree), runner_(run, tree) {}
+  /// Without an arena, in order only.
+  PartDerivation(const LotRun& run, ShapeTree* tree, RuleArena* arena)
+      : run_(run), tree_(tree), arena_(arena), runner_(run, tree) {}
 
   /// Depth first, in order, on this thread.
   Result<void> InOrder(RuleTask first) { return Derive(std::move(first), UINT32_MAX); }
@@ -43,15 +46,18 @@ class PartDerivation {
   bool AtOnce(RuleTask first, uint32_t grain, Spent* spent) {
     if (!Derive(std::move(first), grain)) return false;
     if (!spent->Add(tree_->size() - 1, runner_.steps(), run_.limits)) return false;
-    return waiting_.empty() || DeriveRest(grain * kCoarser, spent);
+    if (waiting_.empty()) return true;
+    bool done = false;
+    arena_->Execute([&] { done = DeriveRest(grain * kCoarser, spent); });
+    return done;
   }
 
  private:
-  /// Until more than one task waits in a tree of more than `grain` shapes.
+  /// Until more than one task waits in a tree of more than `grain` shapes, and there is help.
   Result<void> Derive(RuleTask first, uint32_t grain) {
     std::vector<RuleTask> next;
     waiting_.push_back(std::move(first));
-    while (!waiting_.empty() && (tree_->size() < grain || waiting_.size() == 1)) {
+    while (!waiting_.empty() && !IsWorthSharing(grain)) {
       RuleTask one = std::move(waiting_.back());
       waiting_.pop_back();
       next.clear();
@@ -60,6 +66,10 @@ class PartDerivation {
                       std::make_move_iterator(next.rend()));
     }
     return {};
+  }
+
+  bool IsWorthSharing(uint32_t grain) const {
+    return tree_->size() >= grain && waiting_.size() > 1 && AreRuleWorkersReady();
   }
 
   /// Each task in a tree of its own; then all in order into this one.
@@ -93,12 +103,13 @@ class PartDerivation {
     part.SetMade(0, shape.symbol, shape.operation);
     for (const NameId tag : shape.tags) part.AddTag(0, tag);
     task.shape = 0;
-    if (!PartDerivation(run_, &part).AtOnce(std::move(task), grain, spent)) return {};
+    if (!PartDerivation(run_, &part, arena_).AtOnce(std::move(task), grain, spent)) return {};
     return part;
   }
 
   const LotRun& run_;
   ShapeTree* tree_;
+  RuleArena* arena_;
   RuleRunner runner_;
   std::vector<RuleTask> waiting_;  ///< the last one is the next
 };
@@ -106,12 +117,12 @@ class PartDerivation {
 }  // namespace
 
 Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, RuleTask first) {
-  return PartDerivation(run, tree).InOrder(std::move(first));
+  return PartDerivation(run, tree, nullptr).InOrder(std::move(first));
 }
 
-bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first) {
+bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first, RuleArena* arena) {
   Spent spent;
-  return PartDerivation(run, tree).AtOnce(std::move(first), kGrain, &spent);
+  return PartDerivation(run, tree, arena).AtOnce(std::move(first), kGrain, &spent);
 }
 
 }  // namespace parti::grammar

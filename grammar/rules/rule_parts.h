@@ -7,13 +7,15 @@
 
 namespace parti::grammar {
 
+class RuleArena;
+
 /// Depth first, on this thread. errors  those of RunWithScene.
 Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, RuleTask first);
 
-/// The same tree, to the byte, with the help of the threads of the caller's oneTBB arena: what
-/// still waits after some hundred shapes is shared out, each shape with a tree of its own, and so
+/// The same tree, to the byte, with the help of the arena's threads: what still waits after some
+/// hundred shapes, and when there is help, is shared out, each shape with a tree of its own, and so
 /// again in these. False where something failed or more was made than the limits allow; what to say
 /// of it only the order tells, and the tree is of no use.
-bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first);
+bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first, RuleArena* arena);
 
 }  // namespace parti::grammar

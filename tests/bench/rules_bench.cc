@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "grammar/rules/rule_derivation.h"
 #include "grammar/rules/rule_text.h"
+#include "grammar/rules/rule_workers.h"
 
 namespace parti::grammar {
 namespace {
@@ -44,6 +45,7 @@ std::vector<Item> Village() {
 void Derive(benchmark::State& state, std::string_view text, const std::vector<Item>& lots) {
   const auto rules = ParseRules(text, "bench.cga");
   CHECK(rules.has_value(), "the scene parses");
+  AwaitRuleWorkers();
   size_t terminals = 0, bytes = 0;
   for (auto _ : state) {
     const auto trees = DeriveRules(

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/info.h>
 
 #include <set>
 
 #include "grammar/operation.h"
+#include "grammar/rules/rule_workers.h"
 #include "tests/grammar/rules/derived_by_rules.h"
 
 namespace parti::grammar {
@@ -232,6 +234,7 @@ std::vector<Item> TownLots(size_t count) {
 std::string BytesOf(std::string_view rules, size_t lots, int threads,
                     const RuleSettings& settings = {}) {
   const auto items = TownLots(lots);
+  AwaitRuleWorkers();
   const auto trees =
       DeriveRules(RulesFrom(rules), settings, items, {threads, nullptr, nullptr, nullptr, nullptr});
   EXPECT_TRUE(trees) << FormatError(trees.error());
@@ -245,6 +248,20 @@ TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameBytes) {
     const std::string one = BytesOf(kTown, lots, 1);
     for (const int threads : {2, 3, 8}) EXPECT_EQ(BytesOf(kTown, lots, threads), one) << lots;
   }
+}
+
+TEST(RuleDerivation, GoesOnAloneUntilThereIsHelp) {
+  // Whether the threads are there at once, after some shapes or never, is up to the machine; this
+  // process has asked for none yet.
+  const auto items = TownLots(20);
+  const auto early =
+      DeriveRules(RulesFrom(kTown), {}, items, {2, nullptr, nullptr, nullptr, nullptr});
+  ASSERT_TRUE(early);
+  std::string bytes;
+  for (const ShapeTree& tree : *early) bytes += Bytes(tree);
+  EXPECT_EQ(bytes, BytesOf(kTown, 20, 1));
+  AwaitRuleWorkers();
+  EXPECT_EQ(AreRuleWorkersReady(), tbb::info::default_concurrency() > 1);
 }
 
 TEST(RuleDerivation, ThreadsShareOutPartsOfPartsLargeAndSmall) {
@@ -264,6 +281,7 @@ TEST(RuleDerivation, LimitsAreThoseOfAllPartsTogether) {
     RuleSettings settings;
     settings.limits.shapes = 3000;
     const Item lot = LotOf(300, 30)[0].item;
+    AwaitRuleWorkers();
     const RuleSet rules = RulesFrom(
         "Lot --> split(x) { 1: Row }*  Row --> split(y) { 1: Tile }* "
         "Tile --> extrude(1) Stone");
@@ -276,6 +294,7 @@ TEST(RuleDerivation, LimitsAreThoseOfAllPartsTogether) {
 }
 
 TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameError) {
+  AwaitRuleWorkers();
   const RuleSet rules = RulesFrom(R"(
     Lot --> split(x) { 0.1: Part }*
     Part --> case split.index == 137: extrude(0 * 1) X else: split(y) { 0.1: Leaf }*
