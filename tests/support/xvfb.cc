@@ -32,6 +32,28 @@ bool Await(const std::function<bool()>& done) {
   return true;
 }
 
+bool HasClass(Display* display, Window window, const std::string& of_class) {
+  XClassHint hint{};
+  if (!XGetClassHint(display, window, &hint)) return false;
+  const bool has = of_class == hint.res_class;
+  XFree(hint.res_name);
+  XFree(hint.res_class);
+  return has;
+}
+
+/// 0: none of the window's children and theirs has the class.
+Window FindBelow(Display* display, Window parent, const std::string& of_class) {
+  Window root = 0, above = 0, *children = nullptr, found = 0;
+  unsigned count = 0;
+  if (!XQueryTree(display, parent, &root, &above, &children, &count)) return 0;
+  for (unsigned i = 0; i < count && found == 0; ++i) {
+    found = HasClass(display, children[i], of_class) ? children[i]
+                                                     : FindBelow(display, children[i], of_class);
+  }
+  if (children) XFree(children);
+  return found;
+}
+
 /// The number that the server writes once it listens.
 std::string ReadNumber(int fd) {
   std::string text;
@@ -75,13 +97,17 @@ Xvfb::Xvfb(std::string folder, std::unique_ptr<Child> server, std::string name)
 
 Xvfb::~Xvfb() {
   server_.reset();
-  // Killed, it leaves its lock and its socket behind, where X's protocol has them.
-  const std::string number = name_.substr(1);
+  RemoveTracesOf(name_);
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+void RemoveTracesOf(const std::string& server) {
+  const std::string number = server.substr(1);
   const auto temporary = std::filesystem::path("/") / "tmp";
   std::error_code ignored;
   std::filesystem::remove(temporary / (".X" + number + "-lock"), ignored);
   std::filesystem::remove(temporary / ".X11-unix" / ("X" + number), ignored);
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 bool Xvfb::Do(const std::vector<std::string>& words) const {
@@ -102,22 +128,11 @@ XSpectator::XSpectator(const std::string& server) {
 
 XSpectator::~XSpectator() { XCloseDisplay(Of(display_)); }
 
+unsigned long XSpectator::root() const { return DefaultRootWindow(Of(display_)); }
+
 unsigned long XSpectator::Find(const std::string& of_class) {
   Window found = 0;
-  Await([&] {
-    Window root = 0, parent = 0, *children = nullptr;
-    unsigned count = 0;
-    XQueryTree(Of(display_), DefaultRootWindow(Of(display_)), &root, &parent, &children, &count);
-    for (unsigned i = 0; i < count; ++i) {
-      XClassHint hint{};
-      if (!XGetClassHint(Of(display_), children[i], &hint)) continue;
-      if (of_class == hint.res_class) found = children[i];
-      XFree(hint.res_name);
-      XFree(hint.res_class);
-    }
-    if (children) XFree(children);
-    return found != 0;
-  });
+  Await([&] { return (found = FindBelow(Of(display_), root(), of_class)) != 0; });
   return found;
 }
 
@@ -180,6 +195,15 @@ void XSpectator::SetRootText(const std::string& property, const std::string& tex
                   reinterpret_cast<const unsigned char*>(text.data()),
                   static_cast<int>(text.size()));
   XSync(Of(display_), False);
+}
+
+glm::ivec2 XSpectator::Pointer() const {
+  Window root_of = 0, child = 0;
+  glm::ivec2 at{0, 0}, in_window{0, 0};
+  unsigned mask = 0;
+  XQueryPointer(Of(display_), root(), &root_of, &child, &at.x, &at.y, &in_window.x, &in_window.y,
+                &mask);
+  return at;
 }
 
 void XSpectator::Resize(unsigned long window, const glm::ivec2& size_px) {

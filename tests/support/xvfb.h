@@ -36,6 +36,10 @@ class Xvfb {
   std::string name_;
 };
 
+/// Removes the lock and the socket that a server which was killed leaves where X's protocol has
+/// them.
+void RemoveTracesOf(const std::string& server);
+
 /// Another client of the server, which finds and looks at the windows of the program under test.
 class XSpectator {
  public:
@@ -44,14 +48,17 @@ class XSpectator {
   XSpectator(const XSpectator&) = delete;
   XSpectator& operator=(const XSpectator&) = delete;
 
-  /// The window whose WM_CLASS is `of_class`; waits up to seconds for it. 0: there is none.
+  /// The window whose WM_CLASS is `of_class`, in a window manager's frame or without; waits up to
+  /// seconds for it. 0: there is none.
   unsigned long Find(const std::string& of_class);
+  unsigned long root() const;  ///< the window that is all of the screen
   /// What the server shows in it, opaque. Empty where the window is not seen.
   render::Image Picture(unsigned long window);
   std::string Text(unsigned long window, const std::string& property);  ///< "" where it has none
   /// Longs of a property of format 32.
   std::vector<unsigned long> Cardinals(unsigned long window, const std::string& property);
   void SetRootText(const std::string& property, const std::string& text);
+  glm::ivec2 Pointer() const;  ///< where the server has it
   void Resize(unsigned long window, const glm::ivec2& size_px);
   void SetShown(unsigned long window, bool shown);
   /// As a window manager does when its cross is clicked.
