@@ -24,6 +24,19 @@ CodePoint CodePointAt(std::string_view text, size_t offset) {
   return {value, length};
 }
 
+std::string Utf8Of(char32_t value) {
+  const bool is_none = value > 0x10ffff || (value >= 0xd800 && value <= 0xdfff);
+  if (is_none) return {};
+  if (value < 0x80) return std::string(1, static_cast<char>(value));
+  const int more = value < 0x800 ? 1 : value < 0x10000 ? 2 : 3;
+  const unsigned leads[] = {0, 0xc0, 0xe0, 0xf0};
+  std::string bytes(1, static_cast<char>(leads[more] | value >> (6 * more)));
+  for (int i = more - 1; i >= 0; --i) {
+    bytes += static_cast<char>(0x80 | (value >> (6 * i) & 0x3f));
+  }
+  return bytes;
+}
+
 bool IsUtf8(std::string_view text) {
   for (size_t i = 0; i < text.size();) {
     const CodePoint c = CodePointAt(text, i);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace parti {
@@ -16,6 +17,9 @@ struct CodePoint {
 /// The code point that starts at `offset`. Overlong forms, surrogates and values past U+10FFFF are
 /// not UTF-8.
 CodePoint CodePointAt(std::string_view text, size_t offset);
+
+/// The bytes of a code point; empty for surrogates and values past U+10FFFF.
+std::string Utf8Of(char32_t value);
 
 /// All of it, from the first byte to the last.
 bool IsUtf8(std::string_view text);

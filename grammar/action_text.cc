@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "grammar/part_number.h"
+#include "grammar/texture_extent.h"
 
 namespace parti::grammar {
 namespace {
@@ -95,8 +97,8 @@ std::optional<Axis> AxisNamed(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<Argument> ArgumentFrom(const Written& written, ParameterKind kind) {
-  switch (kind) {
+std::optional<Argument> ArgumentFrom(const Written& written, const Parameter& parameter) {
+  switch (parameter.kind) {
     case ParameterKind::kLength:
     case ParameterKind::kAngle:
     case ParameterKind::kFactor:
@@ -111,6 +113,9 @@ std::optional<Argument> ArgumentFrom(const Written& written, ParameterKind kind)
       if (!written.is_word()) return std::nullopt;
       return Argument(written.token.text);
     case ParameterKind::kWord:
+      if (written.size && TakesNumbers(parameter.words)) {
+        return Argument(NumberText(written.size->value));
+      }
       if (!written.is_word()) return std::nullopt;
       // The thesis writes comp(face, side) (errata 8).
       return Argument(written.token.text == "face" ? "f" : written.token.text);
@@ -120,7 +125,10 @@ std::optional<Argument> ArgumentFrom(const Written& written, ParameterKind kind)
       if (written.token.text == "false") return Argument(false);
       return std::nullopt;
     case ParameterKind::kSize:
-      if (!written.size || written.size->kind == Size::Kind::kFloating) return std::nullopt;
+      if (!written.size) return std::nullopt;
+      if (written.size->kind == Size::Kind::kFloating && !TakesFloating(parameter)) {
+        return std::nullopt;
+      }
       return Argument(*written.size);
   }
   return std::nullopt;
@@ -139,7 +147,7 @@ Result<std::vector<Argument>> Bind(const Lexer& lexer, const Token& name, const 
   std::vector<Argument> arguments;
   for (const Parameter& parameter : row.parameters) {
     const Written* written = *used < list.size() ? &list[*used] : nullptr;
-    const auto argument = written ? ArgumentFrom(*written, parameter.kind) : std::nullopt;
+    const auto argument = written ? ArgumentFrom(*written, parameter) : std::nullopt;
     if (argument) {
       arguments.push_back(*argument);
       ++*used;

@@ -35,6 +35,17 @@ std::string Described(const Token& token) {
   return token.message;
 }
 
+/// What to do about a character that no token begins with.
+std::string HintFor(char32_t c) {
+  if (c == 0x201c || c == 0x201d || c == 0x201e) return "texts stand in straight quotes: \"";
+  if (c == 0x2018 || c == 0x2019) return "relative sizes have a straight quote: '0.5";
+  if (c == 0x2013 || c == 0x2014 || c == 0x2212) return "write the minus of the keyboard: -";
+  if (c == '^') return "powers are pow(base, exponent)";
+  if (c == '$' || c == '?' || c == '\\' || c == '`') return "in a name or a file, put it in \"\"";
+  if (c < 0x20 || c == 0x7f) return fmt::format("take byte 0x{:02x} out", static_cast<uint32_t>(c));
+  return fmt::format("take U+{:04X} out, or put it in quotes", static_cast<uint32_t>(c));
+}
+
 }  // namespace
 
 Lexer::Lexer(std::string_view text, std::string_view file, Hash hash)
@@ -195,16 +206,33 @@ void Lexer::ScanText() {
       i += c.length;
       continue;
     }
-    constexpr std::string_view kEscapes = "\"\\nrt";
-    constexpr std::string_view kMeanings = "\"\\\n\r\t";
-    const size_t which = kEscapes.find(CharAt(i + 1));
-    if (which == std::string_view::npos || i + 1 >= text_.size()) break;
-    token_.text += kMeanings[which];
-    i += 2;
+    const size_t length = ScanEscape(i);
+    if (length == 0) break;
+    i += length;
   }
   const size_t line_end = std::min(text_.find('\n', next_), text_.size());
   Bad(line_end - next_, "this text is not closed, or holds a \\ that means nothing",
-      R"(end it with " on the same line; only \" \\ \n \r \t are known)");
+      R"(end it with " on the same line; only \" \' \\ \n \r \t \b \f \uXXXX are known)");
+}
+
+size_t Lexer::ScanEscape(size_t at) {
+  constexpr std::string_view kEscapes = "\"\\'nrtbf";
+  constexpr std::string_view kMeanings = "\"\\'\n\r\t\b\f";
+  if (CharAt(at + 1) != 'u') {
+    const size_t which = kEscapes.find(CharAt(at + 1));
+    if (which == std::string_view::npos || at + 1 >= text_.size()) return 0;
+    token_.text += kMeanings[which];
+    return 2;
+  }
+  constexpr size_t kDigits = 4, kLength = 2 + kDigits;
+  if (at + kLength > text_.size()) return 0;
+  const char* digits = text_.data() + at + 2;
+  uint32_t value = 0;
+  if (std::from_chars(digits, digits + kDigits, value, 16).ptr != digits + kDigits) return 0;
+  const std::string encoded = Utf8Of(value);
+  if (encoded.empty()) return 0;
+  token_.text += encoded;
+  return kLength;
 }
 
 void Lexer::ScanMark() {
@@ -222,9 +250,7 @@ void Lexer::ScanMark() {
     token_.mark = static_cast<char>(c.value);
     token_.length = 1;
   } else {
-    const bool quote = c.value == 0x201c || c.value == 0x201d || c.value == 0x201e;
-    return Bad(c.length, "this character means nothing here",
-               quote ? "texts stand in straight quotes: \"" : "");
+    return Bad(c.length, "this character means nothing here", HintFor(c.value));
   }
   next_ += token_.length;
 }

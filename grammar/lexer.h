@@ -29,10 +29,10 @@ struct Token {
 ///
 /// Names are letters, digits and _, not starting with a digit; every letter of Unicode is a letter.
 /// "-->", "->" and "→" are one token; "ε" is the name NIL. Texts stand in straight double quotes,
-/// with \" \\ \n \r \t. Comments are // to the end of the line and /* */; a text that is not UTF-8,
-/// a quote or comment that is not closed and a number too large to write give kBad tokens, after
-/// which reading goes on.
-/// cost  linear in the text; errors are located only when they are made.
+/// with \" \' \\ \n \r \t \b \f \uXXXX. Comments are // to the end of the line and /* */; a text
+/// that is not UTF-8, a quote or comment that is not closed and a number too large to write give
+/// kBad tokens, after which reading goes on. cost  linear in the text; errors are located only when
+/// they are made.
 class Lexer {
  public:
   /// '#' starts a comment in rules (as in CGA) and a tag in queries and trees (language.md).
@@ -73,6 +73,7 @@ class Lexer {
   void ScanName();
   void ScanNumber();
   void ScanText();
+  size_t ScanEscape(size_t at);
   void ScanMark();
   void Bad(size_t length, std::string message, std::string hint = {});
   char CharAt(size_t offset) const { return offset < text_.size() ? text_[offset] : '\0'; }

@@ -71,6 +71,7 @@ struct Operation {
   bool in_place;        ///< changes the shape itself and makes no child: tag, color
   bool sampled = true;  ///< whether Samples spreads it: what a sketch may mean
   int file = -1;        ///< the parameter that names a file, which Action::asset then brings; -1
+  std::string_view written = {};  ///< rules write it so, where not by its name; see Written
 
   /// Pure. Rows that change in place give the item itself, changed as far as an item can be
   /// (color); tag and symbol are the driver's to set on the shape. Products in creation order. An
@@ -104,6 +105,12 @@ Result<void> CheckArgument(const Operation& row, const Parameter& parameter,
                            const Argument& argument);
 /// "a length in metres": what a parameter of this kind wants to be told.
 std::string_view Wanted(ParameterKind kind);
+
+/// "split" for the row repeat, which rules tell by its star; "extrude" for extrudeAlong, which they
+/// tell by its direction; else the row's name.
+inline std::string_view Written(const Operation& row) {
+  return row.written.empty() ? row.name : row.written;
+}
 
 /// Check, the item's type, apply.
 /// errors  those of Check and apply; kWrongItemType  names operation and type.

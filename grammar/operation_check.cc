@@ -8,6 +8,8 @@
 #include "grammar/color_text.h"
 #include "grammar/operation.h"
 #include "grammar/operations/split_sizes.h"
+#include "grammar/part_number.h"
+#include "grammar/texture_extent.h"
 
 namespace parti::grammar {
 namespace {
@@ -27,7 +29,8 @@ Result<void> CheckNumber(const Operation& row, const Parameter& parameter, doubl
 /// Of relative sizes only that they are numbers: what they come to depends on the item.
 Result<void> CheckSize(const Operation& row, const Parameter& parameter, const Size& size) {
   if (size.kind == Size::Kind::kAbsolute) return CheckNumber(row, parameter, size.value);
-  if (size.kind == Size::Kind::kRelative && std::isfinite(size.value)) return {};
+  const bool is_part = size.kind == Size::Kind::kRelative || TakesFloating(parameter);
+  if (is_part && std::isfinite(size.value)) return {};
   return Fail(ErrorCode::kBadNumber,
               fmt::format("{}: {} is neither metres nor a part", row.name, parameter.name),
               "write 3 or '0.5");
@@ -43,8 +46,13 @@ Result<void> CheckText(const Operation& row, const Parameter& parameter, std::st
     return fail(meant ? fmt::format("did you mean \"{}\"?", *meant)
                       : "give a color as \"#rrggbb\", or by its name in CSS");
   }
-  if (parameter.kind == ParameterKind::kText && text.empty()) return fail("give a name");
+  const bool is_file =
+      row.file >= 0 && row.parameters[static_cast<size_t>(row.file)].name == parameter.name;
+  if (parameter.kind == ParameterKind::kText && text.empty() && !is_file) {
+    return fail("give a name");
+  }
   const std::span<const std::string_view> words = parameter.words;
+  if (PartNumber(text) && TakesNumbers(words)) return {};
   if (!words.empty() && std::find(words.begin(), words.end(), text) == words.end()) {
     return fail(fmt::format("give {}", fmt::join(words, " or ")));
   }

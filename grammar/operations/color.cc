@@ -78,8 +78,8 @@ constinit const Operation kColor = {
     .parameters = kParameters,
     .braces = Braces::kNone,
     .selectors = {},
-    .takes = kSurfaced,
-    .gives = kSurfaced,
+    .takes = kMovable,
+    .gives = kMovable,
     .in_place = true,
     .apply = ApplyColor,
 };

@@ -35,6 +35,7 @@ Insertion TurnedUp(const Insertion& in) {
 
 Result<std::vector<Product>> ApplyInsert(const Item& item, const Action& action) {
   const auto& file = std::get<std::string>(action.arguments[0]);
+  if (file.empty()) return std::vector<Product>{{item, -1}};
   if (!action.asset) {
     return Fail(ErrorCode::kFile, fmt::format("'{}' was not read", file),
                 "insert assets where files may be read");

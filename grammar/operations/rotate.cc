@@ -1,9 +1,9 @@
 // r(xAngle, yAngle, zAngle): a shape turned with its scope, around its origin or its middle.
 #include <array>
-#include <cmath>
 
 #include "grammar/item_place.h"
 #include "grammar/operations/rows.h"
+#include "grammar/reframe.h"
 
 namespace parti::grammar {
 namespace {
@@ -11,29 +11,12 @@ namespace {
 constexpr std::string_view kAboutOrigin = "scopeOrigin";
 constexpr std::string_view kAboutCenter = "scopeCenter";
 
-/// `v` turned around axis i by the angle, right-handed.
-Vec3 Around(int i, const Angle& angle, const Vec3& v) {
-  const int j = (i + 1) % 3, k = (i + 2) % 3;
-  const double cosine = std::cos(angle.radians()), sine = std::sin(angle.radians());
-  Vec3 turned = v;
-  turned[j] = cosine * v[j] - sine * v[k];
-  turned[k] = sine * v[j] + cosine * v[k];
-  return turned;
-}
-
 Result<std::vector<Product>> ApplyRotate(const Item& item, const Action& action) {
   const Scope named = NamedScope(item);
-  const auto turn = [&](Vec3 v) {
-    for (int i = 0; i < 3; ++i) {
-      const double degrees = std::get<double>(action.arguments[static_cast<size_t>(i) + 1]);
-      if (degrees != 0) v = Around(i, Angle::Degrees(degrees), v);
-    }
-    return named.x * v.x + named.y * v.y + named.z * v.z;
-  };
-  Scope turned = named;
-  turned.x = turn(Vec3(1, 0, 0));
-  turned.y = turn(Vec3(0, 1, 0));
-  turned.z = turn(Vec3(0, 0, 1));
+  const Vec3 angles_deg(std::get<double>(action.arguments[1]),
+                        std::get<double>(action.arguments[2]),
+                        std::get<double>(action.arguments[3]));
+  Scope turned = TurnedAxes(named, angles_deg);
   if (std::get<std::string>(action.arguments[0]) == kAboutCenter) {
     turned.origin += named.ToWorld(named.size * 0.5) - turned.ToWorld(named.size * 0.5);
   }

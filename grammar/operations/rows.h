@@ -6,12 +6,15 @@
 
 namespace parti::grammar {
 
-extern const Operation kExtrude, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
+extern const Operation kExtrude, kExtrudeAlong, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
     kSegment, kVectorial, kSetProperty;
 extern const Operation kRoofHip, kRoofGable, kRoofPyramid, kRoofShed, kTaper;
 extern const Operation kSetback, kShapeL, kShapeU, kShapeO, kInnerRectangle;
 extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, kCube, kSphere,
     kCylinder, kCone, kQuad, kDisk, kTexture, kSetupProjection, kProjectUv, kSetMaterial;
+extern const Operation kAlignToAxes, kAlignToGeometry, kRotateScope, kMoveInWorld, kTurnInWorld,
+    kCleanupGeometry, kReverseNormals, kScatter;
+extern const Operation kTileUv, kScaleUv, kTranslateUv, kRotateUv, kNormalizeUv, kDeleteUv;
 
 /// What has a surface, and what stands in the world: all that may be moved or replaced.
 inline constexpr ItemTypes kSurfaced = Types(ItemType::kVolume, ItemType::kPlanar);

@@ -108,6 +108,7 @@ constinit const Operation kRepeat = {
     .takes = kDivisible,
     .gives = kDivisible,
     .in_place = false,
+    .written = "split",
     .apply = ApplyRepeat,
 };
 

@@ -10,6 +10,7 @@
 #include "grammar/asset.h"
 #include "grammar/item_place.h"
 #include "grammar/operations/rows.h"
+#include "grammar/texture_extent.h"
 
 namespace parti::grammar {
 namespace {
@@ -35,6 +36,7 @@ TextureMap OnceOver(const Scope& s) {
 
 Products ApplyTexture(const Item& item, const Action& action) {
   const auto& file = std::get<std::string>(action.arguments[0]);
+  if (file.empty()) return std::vector<Product>{{item, -1}};
   if (!action.asset) {
     return Fail(ErrorCode::kFile, fmt::format("'{}' was not read", file),
                 "wear images where files may be read");
@@ -124,12 +126,16 @@ Parameter UvSet() {
 }
 
 Parameter ImageSize(std::string_view name) {
-  return {.name = name,
-          .kind = ParameterKind::kSize,
-          .low = -1e6,
-          .high = 1e6,
-          .default_value = Size{Size::Kind::kAbsolute, 1},
-          .doc = "of the image, in metres or as a part of the scope; less than 0 mirrors it"};
+  return {
+      .name = name,
+      .kind = ParameterKind::kSize,
+      .low = -1e6,
+      .high = 1e6,
+      .default_value = Size{Size::Kind::kAbsolute, 1},
+      .doc =
+          "of the image, in metres, as a part of the scope, or ~2 for about 2 m, a whole number "
+          "of times; less than 0 mirrors it",
+      .words = kFloatingToo};
 }
 
 Parameter Shift(std::string_view name) {
@@ -146,7 +152,7 @@ const std::array<Parameter, 1> kTextureParameters = {{{
     .name = "file",
     .kind = ParameterKind::kText,
     .default_value = std::string("bricks.png"),
-    .doc = "a .png or .jpg beside the rules, or in a folder above",
+    .doc = "a .png or .jpg beside the rules, or in a folder above; \"\" changes nothing",
 }}};
 
 const std::array<Parameter, 6> kSetupParameters = {UvSet(),

@@ -11,7 +11,8 @@ std::vector<BuiltIn> Sorted() {
   std::vector<BuiltIn> rows;
   for (const auto part :
        {built_ins::Maths(), built_ins::Chance(), built_ins::Conversions(), built_ins::Texts(),
-        built_ins::Lists(), built_ins::Places(), built_ins::Geometries(), built_ins::Colors()}) {
+        built_ins::Lists(), built_ins::Places(), built_ins::Geometries(), built_ins::Colors(),
+        built_ins::Faces(), built_ins::Paints(), built_ins::Paths()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   std::sort(rows.begin(), rows.end(), [](const BuiltIn& a, const BuiltIn& b) {

@@ -26,6 +26,8 @@ struct BuiltIn {
   /// or what is turned into them (conversions.h). Never fails: what has no answer is infinite, no
   /// number, or "", and refused by the operation that gets it.
   Value (*evaluate)(std::span<const Value> operands, const Situation& situation);
+  /// Texts that may be written as bare words where nothing else has the name: maxSlope, world.up.
+  std::span<const std::string_view> words = {};
 };
 
 /// All rows, sorted by name, then by the number of operands.

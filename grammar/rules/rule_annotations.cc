@@ -1,6 +1,7 @@
 // Annotations of attributes: what a panel needs to edit them (CGA).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -20,6 +21,15 @@ constexpr std::array<Use, 6> kUses = {{{"Angle", Attribute::Use::kAngle},
                                        {"Distance", Attribute::Use::kDistance},
                                        {"File", Attribute::Use::kFile},
                                        {"Percent", Attribute::Use::kPercent}}};
+
+/// Whether it is @Range(Low = 0, High = 1), as CityEngine once wrote @Enum.
+bool NamesChoices(const WrittenAnnotation& range) {
+  constexpr std::array<std::string_view, 4> kBounds = {"min", "max", "stepsize", "restricted"};
+  return std::none_of(range.arguments.begin(), range.arguments.end(), [&](const auto& argument) {
+    const bool is_bound = std::find(kBounds.begin(), kBounds.end(), argument.name) != kBounds.end();
+    return argument.name.empty() || is_bound;
+  });
+}
 
 }  // namespace
 
@@ -78,6 +88,7 @@ void RuleChecker::AnnotateWith(const WrittenAnnotation& annotation, Attribute* a
 void RuleChecker::AnnotateRange(const WrittenAnnotation& annotation, Attribute* attribute) {
   std::optional<double>* const by_place[] = {&attribute->low, &attribute->high, &attribute->step};
   size_t place = 0;
+  const bool names_choices = NamesChoices(annotation);
   for (const auto& argument : annotation.arguments) {
     const auto value = Plain(argument.value);
     if (!value) return;
@@ -86,8 +97,9 @@ void RuleChecker::AnnotateRange(const WrittenAnnotation& annotation, Attribute* 
                                    : argument.name == "stepsize" ? &attribute->step
                                                                  : nullptr;
     if (argument.name == "restricted") continue;
-    if (argument.name.empty() && !std::holds_alternative<double>(*value)) {
-      AddChoice(argument.value, attribute);  // @Range("a", "b"): as @Enum is written now
+    const bool is_text = argument.name.empty() && !std::holds_alternative<double>(*value);
+    if (is_text || (names_choices && bound == nullptr)) {
+      AddChoice(argument.value, attribute);  // as @Enum is written now
       continue;
     }
     if (argument.name.empty() && place < std::size(by_place)) bound = by_place[place++];

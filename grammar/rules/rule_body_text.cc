@@ -85,16 +85,26 @@ class BodyWriter {
     for (const RuleArgument& argument : statement.arguments) {
       arguments.push_back(Operand(argument.value));
     }
-    return fmt::format("{}{}{}", statement.deferred ? "@" : "", statement.symbol,
-                       arguments.empty() ? "" : fmt::format("({})", fmt::join(arguments, ", ")));
+    const bool ends = statement.index == kNoRule && RuleFor(rules_, statement.symbol) != kNoRule;
+    return fmt::format("{}{}{}{}", statement.deferred ? "@" : "", statement.symbol,
+                       arguments.empty() ? "" : fmt::format("({})", fmt::join(arguments, ", ")),
+                       ends ? "." : "");
+  }
+
+  /// As CGA has it.
+  std::string MaterialText(const Statement& statement) const {
+    return fmt::format("set(material.{}, {})",
+                       std::get<std::string>(statement.arguments.at(0).value.constant),
+                       Operand(statement.arguments.at(1).value));
   }
 
   std::string OperationText(const Statement& statement, size_t indent) const {
     CHECK(statement.operation != nullptr, "an operation of the table");
     const Operation& row = *statement.operation;
     const bool is_repeat = row.name == kRepeat;
-    std::string text = fmt::format("{}({})", is_repeat ? kSplit : row.name,
-                                   fmt::join(ArgumentTexts(statement), ", "));
+    if (row.name == "setMaterial") return MaterialText(statement);
+    std::string text =
+        fmt::format("{}({})", Written(row), fmt::join(ArgumentTexts(statement), ", "));
     if (row.braces == Braces::kNone) return text;
     const auto& successors = statement.successors;
     const bool is_star = is_repeat || (row.name != kSplit && row.braces == Braces::kSizes &&
@@ -144,8 +154,10 @@ class BodyWriter {
     const Expression& value = argument.value;
     const bool is_word =
         parameter.kind == ParameterKind::kAxis || parameter.kind == ParameterKind::kWord;
-    if (is_word) {
+    if (is_word && value.kind == Expression::Kind::kConstant) {
       texts->push_back(std::get<std::string>(value.constant));
+    } else if (is_word) {
+      texts->push_back(Operand(value.operands.at(0)));  // a part's number, computed
     } else {
       texts->push_back(SizeMark(argument.size) + Operand(value));
     }

@@ -6,12 +6,15 @@
 #include <memory>
 #include <utility>
 
+#include "grammar/rules/plain_offset.h"
 #include "grammar/rules/rule_checker.h"
+#include "grammar/rules/scatter_body.h"
 
 namespace parti::grammar {
 namespace {
 
 constexpr std::string_view kSet = "set";
+constexpr std::string_view kMaterial = "material.", kSetMaterial = "setMaterial";
 
 /// Every operation of the table and every rule, for "did you mean".
 std::vector<std::string> Callables(const RuleNames& names, std::string_view prefix) {
@@ -19,6 +22,13 @@ std::vector<std::string> Callables(const RuleNames& names, std::string_view pref
   for (const Operation& row : Operations()) known.emplace_back(row.name);
   known.emplace_back(kSet);
   return known;
+}
+
+/// Whether an operation can do without its parentheses: reverseNormals, alignScopeToAxes.
+bool MayStandAlone(const Operation& row) {
+  return row.braces == Braces::kNone &&
+         std::none_of(row.parameters.begin(), row.parameters.end(),
+                      [](const Parameter& parameter) { return parameter.required; });
 }
 
 std::string Arguments(size_t count) {
@@ -32,7 +42,10 @@ Body RuleChecker::Resolve(const WrittenBody& written) {
   body.kind = written.kind;
   body.range = written.range;
   CheckBrackets(written.statements);
-  for (const WrittenStatement& statement : written.statements) {
+  const auto braced = WithBracedOffsets(written.statements);
+  const auto bracketed = WithScatterInBrackets(braced ? *braced : written.statements);
+  const auto& statements = bracketed ? *bracketed : braced ? *braced : written.statements;
+  for (const WrittenStatement& statement : statements) {
     auto resolved = Resolve(statement);
     const bool is_pop = resolved && resolved->kind == Statement::Kind::kPop;
     const bool is_pair =
@@ -94,7 +107,7 @@ std::optional<Statement> RuleChecker::Resolve(const WrittenStatement& written) {
                                                                    : Statement::Kind::kPop;
     return statement;
   }
-  const bool plain = !written.called && !written.braces;
+  const bool plain = (!written.called && !written.braces) || written.ends;
   const std::string name = FullName(written.name);
   const bool is_rule = names_.Rule(name, written.arguments.size()) != RuleNames::kNone;
   const Operation* row = FindOperation(written.name);
@@ -117,7 +130,8 @@ std::optional<Statement> RuleChecker::ResolveSymbol(const WrittenStatement& writ
   statement.deferred = written.deferred;
   statement.symbol = written.name;
   const std::string name = FullName(written.name);
-  statement.index = names_.Rule(name, written.arguments.size());
+  statement.index = written.ends ? kNoRule : names_.Rule(name, written.arguments.size());
+  if (written.ends && !written.called && !written.braces) return statement;
   if (written.braces) {
     CheckParts(written);
     Report(written.range, ErrorCode::kBadText,
@@ -148,6 +162,9 @@ std::optional<Statement> RuleChecker::ResolveSymbol(const WrittenStatement& writ
   const std::vector<size_t> counts = names_.RulesNamed(name);
   const Operation* row = FindOperation(written.name);
   const bool is_dotted = written.name.find('.') != std::string::npos;
+  if (counts.empty() && row != nullptr && !written.deferred && MayStandAlone(*row)) {
+    return ResolveOperation(written, *row);
+  }
   if (counts.empty() && row == nullptr && !written.called && !is_nil && !is_dotted) {
     if (reporting_) terminals_.try_emplace(written.name, Terminal{written.range, module_->prefix});
     return statement;
@@ -208,6 +225,17 @@ void RuleChecker::CheckParts(const WrittenAlternative& written) {
   for (const WrittenAlternative& inner : written.repeat) CheckParts(inner);
 }
 
+/// set(material.opacity, 0.5) is setMaterial(opacity, 0.5), as far as that knows the property.
+std::optional<Statement> RuleChecker::ResolveMaterial(const WrittenStatement& written) {
+  const Operation& row = *FindOperation(kSetMaterial);
+  WrittenStatement as_operation = written;
+  std::string& property = as_operation.arguments[0].value.name;
+  property.erase(0, kMaterial.size());
+  const auto& words = row.parameters[0].words;
+  if (std::find(words.begin(), words.end(), property) == words.end()) return std::nullopt;
+  return ResolveOperation(as_operation, row);
+}
+
 std::optional<Statement> RuleChecker::ResolveSet(const WrittenStatement& written) {
   const auto& arguments = written.arguments;
   const bool is_named = arguments.size() == 2 && !written.braces &&
@@ -223,6 +251,9 @@ std::optional<Statement> RuleChecker::ResolveSet(const WrittenStatement& written
   statement.kind = Statement::Kind::kSet;
   statement.range = written.range;
   statement.index = names_.Attribute(FullName(name));
+  if (statement.index == RuleNames::kNone && name.starts_with(kMaterial)) {
+    if (auto material = ResolveMaterial(written)) return material;
+  }
   if (statement.index == RuleNames::kNone) {
     CheckParts(written);
     const std::string what = fmt::format("attribute '{}' to set", name);

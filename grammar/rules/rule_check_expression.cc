@@ -25,6 +25,21 @@ std::string CountText(const std::vector<size_t>& counts, std::string_view what) 
                      counts.size() == 1 && counts[0] == 1 ? "" : "s");
 }
 
+Expression Word(const WrittenExpression& written) {
+  Expression expression;
+  expression.type = ValueType::kText;
+  expression.constant = written.name;
+  expression.range = written.range;
+  return expression;
+}
+
+/// What stands for a value that is not known.
+Value Nothing(ValueType type) {
+  if (type == ValueType::kBool) return false;
+  if (type == ValueType::kText) return std::string();
+  return 0.0;
+}
+
 std::vector<size_t> BuiltInsNamed(std::string_view name) {
   std::vector<size_t> counts;
   for (const BuiltIn& row : BuiltIns()) {
@@ -70,6 +85,9 @@ Expression RuleChecker::Resolve(const WrittenExpression& written, const Expected
            TypeHint(*expected.type, *own));
   }
   expression.type = own.value_or(ValueType::kNumber);
+  const bool is_refused =
+      expression.kind == Expression::Kind::kConstant && written.kind != Kind::kConstant;
+  if (is_refused) expression.constant = Nothing(expression.type);
   if (type != nullptr) *type = own;
   return expression;
 }
@@ -105,20 +123,43 @@ MaybeType RuleChecker::ResolveCall(const WrittenExpression& written, Expression*
   if (!own) expression->index = 0;
   expression->kind = own ? Expression::Kind::kCall : Expression::Kind::kBuiltIn;
   expression->built_in = row;
+  if (!own && row == nullptr) {
+    CheckOperands(written);
+    expression->kind = Expression::Kind::kConstant;
+    RefuseName(written);
+    return std::nullopt;
+  }
   for (size_t i = 0; i < count; ++i) {
     MaybeType wanted, got;
     if (own) wanted = functions_[expression->index].parameters[i];
     if (row != nullptr) wanted = row->operands[i];
+    if (row != nullptr && IsWordOf(*row, written.operands[i])) {
+      expression->operands.push_back(Word(written.operands[i]));
+      continue;
+    }
     expression->operands.push_back(
         Resolve(written.operands[i], {wanted, "operand", written.name}, &got));
     if (own && learns_from_calls_) Set(&functions_[expression->index].parameters[i], got);
   }
   if (own) return functions_[expression->index].type;
-  if (row != nullptr) return row->result;
-  expression->kind = Expression::Kind::kConstant;
-  expression->operands.clear();
-  RefuseName(written);
-  return std::nullopt;
+  return row->result;
+}
+
+/// A bare name that stands for itself, as nothing else is called so: maxSlope.
+bool RuleChecker::IsWordOf(const BuiltIn& row, const WrittenExpression& operand) const {
+  if (operand.kind != Kind::kName) return false;
+  const bool is_word =
+      std::find(row.words.begin(), row.words.end(), operand.name) != row.words.end();
+  return is_word && ParameterNamed(operand.name) == RuleNames::kNone &&
+         names_.Attribute(FullName(operand.name)) == RuleNames::kNone &&
+         names_.Function(FullName(operand.name), 0) == RuleNames::kNone;
+}
+
+/// Of an unknown function: a bare name may be a word of its own.
+void RuleChecker::CheckOperands(const WrittenExpression& call) {
+  for (const WrittenExpression& operand : call.operands) {
+    if (operand.kind != Kind::kName) Resolve(operand, {{}, "operand", call.name});
+  }
 }
 
 MaybeType RuleChecker::ResolveOperator(const WrittenExpression& written, const Expected& expected,
@@ -263,7 +304,7 @@ void RuleChecker::RefuseName(const WrittenExpression& written) {
                 meant     ? fmt::format("did you mean '{}'?", *meant)
                 : is_call ? "functions are listed in docs/functions.md"
                           : fmt::format("attr {} = …, or a text in quotes", written.name),
-                /*can_be_skipped=*/false);
+                /*can_be_skipped=*/is_call || written.name.find('.') != std::string::npos);
 }
 
 std::optional<std::string> RuleChecker::ValueLike(std::string_view name) const {

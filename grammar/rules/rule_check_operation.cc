@@ -2,11 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "grammar/lexer.h"
 #include "grammar/operations/split_sizes.h"
+#include "grammar/part_number.h"
+#include "grammar/rules/built_ins.h"
 #include "grammar/rules/rule_checker.h"
+#include "grammar/texture_extent.h"
 
 namespace parti::grammar {
 namespace {
@@ -15,6 +20,7 @@ using Kind = ParameterKind;
 
 constexpr std::string_view kRepeat = "repeat";  // the row that is written split(axis) { … }*
 constexpr std::string_view kSplit = "split";
+constexpr std::string_view kExtrude = "extrude", kExtrudeAlong = "extrudeAlong";
 constexpr double kLargestSize_m = 1e9;
 constexpr double kLargestIndex = 1e6;
 
@@ -40,6 +46,23 @@ std::string WordFor(const Parameter& parameter, std::string_view written) {
     if (word == written || is_face) return std::string(word);
   }
   return "";
+}
+
+/// "object.front" is "world.south": a lot's axes are the world's.
+std::string_view InWorld(std::string_view selector) {
+  constexpr std::array<std::array<std::string_view, 2>, 7> kSame = {{
+      {"object.front", "world.south"},
+      {"object.back", "world.north"},
+      {"object.left", "world.west"},
+      {"object.right", "world.east"},
+      {"object.top", "world.up"},
+      {"object.bottom", "world.down"},
+      {"object.side", "world.side"},
+  }};
+  for (const auto& [object, world] : kSame) {
+    if (object == selector) return world;
+  }
+  return selector;
 }
 
 Expression Constant(Value value, TextRange range) {
@@ -89,7 +112,7 @@ Argument ArgumentFor(const RuleArgument& argument, Kind kind) {
 std::string Usage(const Operation& row) {
   std::vector<std::string_view> names;
   for (const Parameter& parameter : row.parameters) names.push_back(parameter.name);
-  return fmt::format("{}({})", row.name == kRepeat ? kSplit : row.name, fmt::join(names, ", "));
+  return fmt::format("{}({})", Written(row), fmt::join(names, ", "));
 }
 
 size_t LeavesOf(const std::vector<WrittenAlternative>& alternatives) {
@@ -103,7 +126,11 @@ size_t LeavesOf(const std::vector<WrittenAlternative>& alternatives) {
 std::optional<Statement> RuleChecker::ResolveOperation(const WrittenStatement& written,
                                                        const Operation& found) {
   const bool repeats = written.repeated && found.name == kSplit;
-  const Operation& row = repeats ? *FindOperation(kRepeat) : found;
+  const bool has_way = found.name == kExtrude && written.arguments.size() == 2 &&
+                       WordOf(written.arguments[0]) != nullptr;
+  const Operation& row = repeats   ? *FindOperation(kRepeat)
+                         : has_way ? *FindOperation(kExtrudeAlong)
+                                   : found;
   Statement statement;
   statement.operation = &row;
   statement.range = written.range;
@@ -152,19 +179,41 @@ std::optional<RuleArgument> RuleChecker::Argue(const WrittenArgument& written, c
                                                const Parameter& parameter) {
   if (parameter.kind == Kind::kAxis || parameter.kind == Kind::kWord) {
     const std::string* word = WordOf(written);
-    if (word == nullptr) return std::nullopt;
-    std::string meant = parameter.kind == Kind::kAxis ? AxisOf(*word) : WordFor(parameter, *word);
-    if (meant.empty()) return std::nullopt;
+    std::string meant = word == nullptr                 ? ""
+                        : parameter.kind == Kind::kAxis ? AxisOf(*word)
+                                                        : WordFor(parameter, *word);
+    if (meant.empty()) return ArgueNumber(written, row, parameter);
     return RuleArgument{Constant(std::move(meant), written.range)};
   }
   const bool may_be_left_out = parameter.kind == Kind::kColor && !parameter.required;
   if (may_be_left_out && IsNumber(written)) return std::nullopt;
-  const bool is_part = written.size == Size::Kind::kRelative && parameter.kind == Kind::kSize;
+  const bool is_part = parameter.kind == Kind::kSize &&
+                       (written.size == Size::Kind::kRelative || TakesFloating(parameter));
   if (written.size != Size::Kind::kAbsolute && !is_part) return std::nullopt;
   RuleArgument argument{Resolve(written.value, {TypeFor(parameter.kind), parameter.name, row.name}),
                         written.size};
   CheckConstant(written, row, parameter, argument);
   return argument;
+}
+
+std::optional<RuleArgument> RuleChecker::ArgueNumber(const WrittenArgument& written,
+                                                     const Operation& row,
+                                                     const Parameter& parameter) {
+  const bool is_plain = written.size == Size::Kind::kAbsolute;
+  if (!is_plain || !TakesNumbers(parameter.words) || !IsNumber(written)) return std::nullopt;
+  Expression number = Resolve(written.value, {ValueType::kNumber, parameter.name, row.name});
+  if (number.kind == Expression::Kind::kConstant) {
+    RuleArgument argument{Constant(NumberText(std::get<double>(number.constant)), written.range)};
+    CheckConstant(written, row, parameter, argument);
+    return argument;
+  }
+  Expression text;
+  text.kind = Expression::Kind::kBuiltIn;
+  text.type = ValueType::kText;
+  text.built_in = FindBuiltIn("str", 1);
+  text.range = written.range;
+  text.operands.push_back(std::move(number));
+  return RuleArgument{std::move(text)};
 }
 
 bool RuleChecker::IsNumber(const WrittenArgument& written) {
@@ -317,7 +366,7 @@ void RuleChecker::SetSelector(const WrittenArgument& key, const Operation& row,
     return;
   }
   const std::string* word = WordOf(key);
-  const auto kind = word != nullptr ? SelectorNamed(*word) : std::nullopt;
+  const auto kind = word != nullptr ? SelectorNamed(InWorld(*word)) : std::nullopt;
   if (kind && knows(*kind)) {
     successor->key = Selector{*kind};
     return;

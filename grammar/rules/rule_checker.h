@@ -75,6 +75,7 @@ class RuleChecker {
   std::optional<Statement> Resolve(const WrittenStatement& written);
   std::optional<Statement> ResolveSymbol(const WrittenStatement& written);
   std::optional<Statement> ResolveSet(const WrittenStatement& written);
+  std::optional<Statement> ResolveMaterial(const WrittenStatement& written);
   void RefuseSymbol(const WrittenStatement& written, const std::vector<size_t>& counts);
   void RefuseUnknown(const WrittenStatement& written);
   void CheckParts(const WrittenStatement& written);
@@ -85,6 +86,8 @@ class RuleChecker {
   bool Bind(const WrittenStatement& written, Statement* statement, size_t* used);
   std::optional<RuleArgument> Argue(const WrittenArgument& written, const Operation& row,
                                     const Parameter& parameter);
+  std::optional<RuleArgument> ArgueNumber(const WrittenArgument& written, const Operation& row,
+                                          const Parameter& parameter);
   bool IsNumber(const WrittenArgument& written);
   void CheckConstant(const WrittenArgument& written, const Operation& row,
                      const Parameter& parameter, const RuleArgument& argument);
@@ -110,6 +113,8 @@ class RuleChecker {
                      MaybeType* type = nullptr);
   MaybeType ResolveName(const WrittenExpression& written, Expression* expression);
   MaybeType ResolveCall(const WrittenExpression& written, Expression* expression);
+  bool IsWordOf(const BuiltIn& row, const WrittenExpression& operand) const;
+  void CheckOperands(const WrittenExpression& call);
   MaybeType ResolveOperator(const WrittenExpression& written, const Expected& expected,
                             Expression* expression);
   MaybeType ResolveComparison(const WrittenExpression& written, Expression* expression);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "grammar/lexer.h"
@@ -49,8 +50,22 @@ class ExpressionWriter {
   std::string CallText(std::string_view name, const Expression& e, bool bare) const {
     if (e.operands.empty() && bare) return std::string(name);
     std::vector<std::string> operands;
-    for (const Expression& operand : e.operands) operands.push_back(Text(operand, 0));
+    for (const Expression& operand : e.operands) {
+      const auto* word = std::get_if<std::string>(&operand.constant);
+      const bool is_bare = e.kind == Kind::kBuiltIn && operand.kind == Kind::kConstant &&
+                           word != nullptr && IsFreeWord(*e.built_in, *word);
+      operands.push_back(is_bare ? *word : Text(operand, 0));
+    }
     return fmt::format("{}({})", name, fmt::join(operands, ", "));
+  }
+
+  /// A word of the function that nothing else is called.
+  bool IsFreeWord(const BuiltIn& row, std::string_view word) const {
+    const auto is_word = [&](const auto& named) { return named.name == word; };
+    return std::find(row.words.begin(), row.words.end(), word) != row.words.end() &&
+           std::none_of(rules_.attributes.begin(), rules_.attributes.end(), is_word) &&
+           std::none_of(rules_.functions.begin(), rules_.functions.end(), is_word) &&
+           std::none_of(parameters_.begin(), parameters_.end(), is_word);
   }
 
   std::string OperatorText(const Expression& e, int above) const {

@@ -121,6 +121,8 @@ bool RuleParser::ReadRuleOrFunction(WrittenDeclaration* declaration) {
   lexer_.Next();
   rule_braces_ = lexer_.open_braces();
   first_ = true;
+  rule_ = declaration;
+  in_brackets_ = false;
   if (!ReadBody(&declaration->body)) return false;
   if (lexer_.At(Kind::kEnd) || lexer_.Accept(';') || AtDeclaration() || AtAnnotation()) return true;
   return Unexpected("an operation, a symbol or the next rule");
@@ -184,7 +186,7 @@ bool RuleParser::ReadImportAttributes(WrittenImport* import) {
     WrittenImport::Attribute attribute;
     const size_t from = lexer_.Peek().offset;
     if (!lexer_.At(Kind::kName)) return Unexpected("an attribute of the imported file");
-    if (!ReadDotted(&attribute.name)) return false;
+    ReadDotted(&attribute.name);
     attribute.range = RangeFrom(from);
     if (lexer_.Accept('=') && !ReadExpression(&attribute.value.emplace_back())) return false;
     if (import->attributes.size() == kMostImportAttributes) {

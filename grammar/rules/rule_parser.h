@@ -68,9 +68,12 @@ class RuleParser {
   bool ReadStep(WrittenStatement* statement);
   bool ReadArguments(std::vector<WrittenArgument>* arguments);
   bool ReadArgument(WrittenArgument* argument);
+  bool ReadBranch(WrittenBody* body);
   bool ReadBraces(std::vector<WrittenAlternative>* alternatives);
+  bool ReadAlternatives(std::vector<WrittenAlternative>* alternatives);
   bool ReadAlternative(WrittenAlternative* alternative);
   bool AtKey() const;
+  static bool AtEqualsAlone(Lexer at);
   bool AtBodyEnd() const;
   bool SkipToAlternative(int braces);
 
@@ -87,7 +90,7 @@ class RuleParser {
   bool ReadOperands(WrittenExpression* call);
   bool ReadSigned(WrittenExpression* operand);
   const RuleOperator* AtOperator() const;
-  bool ReadDotted(std::string* name);
+  void ReadDotted(std::string* name);
   bool Deepen(WrittenExpression* parent);
 
   // all
@@ -104,8 +107,11 @@ class RuleParser {
   Lexer lexer_;
   WrittenRules rules_;
   bool in_style_ = false;
-  bool first_ = false;   ///< nothing of the rule's body has been read
-  int rule_braces_ = 0;  ///< braces that were open before the rule
+  const WrittenDeclaration* rule_ = nullptr;  ///< whose body is being read
+  bool in_brackets_ = false;                  ///< of a choice: a ] ends it
+  int branches_ = 0;                          ///< rules made of choices in brackets
+  bool first_ = false;                        ///< nothing of the rule's body has been read
+  int rule_braces_ = 0;                       ///< braces that were open before the rule
   size_t failures_ = 0;
   int expression_depth_ = 0;
   int body_depth_ = 0;

@@ -63,13 +63,42 @@ bool RuleParser::ReadChosen(WrittenBody::Alternative* alternative) {
 }
 
 bool RuleParser::ReadSequence(WrittenBody* body) {
-  while (!AtBodyEnd()) {
+  int open = 0;  // brackets that this sequence has opened
+  while (!AtBodyEnd() && !(in_brackets_ && open == 0 && lexer_.At(']'))) {
+    const bool opens = lexer_.At('[');
+    open += opens ? 1 : lexer_.At(']') ? -1 : 0;
     if (!ReadStep(&body->statements.emplace_back())) {
       body->statements.pop_back();
       return false;
     }
     first_ = false;
+    if (opens && (lexer_.AtWord("case") || AtWeight()) && !ReadBranch(body)) return false;
   }
+  return true;
+}
+
+/// "[ case … ]": the cases become a rule of their own, which the brackets name.
+bool RuleParser::ReadBranch(WrittenBody* body) {
+  WrittenDeclaration branch;
+  branch.name = fmt::format("{}_branch{}", rule_->name, ++branches_);
+  branch.range = RangeOf(lexer_.Peek());
+  branch.parameters = rule_->parameters;
+  const bool outer = std::exchange(in_brackets_, true);
+  const bool good = ReadBody(&branch.body);
+  in_brackets_ = outer;
+  if (!good) return false;
+  if (!lexer_.At(']')) return Unexpected("']' after the last alternative");
+  WrittenStatement& call = body->statements.emplace_back();
+  call.name = branch.name;
+  call.range = branch.range;
+  call.called = !branch.parameters.empty();
+  for (const WrittenParameter& parameter : branch.parameters) {
+    WrittenArgument& argument = call.arguments.emplace_back();
+    argument.value.kind = WrittenExpression::Kind::kName;
+    argument.value.name = parameter.name;
+    argument.range = argument.value.range = branch.range;
+  }
+  Add(std::move(branch));
   return true;
 }
 
@@ -90,7 +119,8 @@ bool RuleParser::ReadStep(WrittenStatement* statement) {
   statement->deferred = lexer_.Accept('@');
   if (!lexer_.At(Kind::kName)) return Unexpected("a symbol after the @");
   if (IsRuleWord(lexer_.Peek().text)) return Unexpected("an operation or a symbol");
-  if (!ReadDotted(&statement->name)) return false;
+  ReadDotted(&statement->name);
+  statement->ends = lexer_.Touching() && lexer_.Accept('.');
   statement->range = RangeFrom(from);
   if (lexer_.At('(') && !ReadArguments(&statement->arguments)) return false;
   statement->called = lexer_.previous_end() > statement->range.to;
@@ -118,7 +148,7 @@ bool RuleParser::ReadArgument(WrittenArgument* argument) {
   if (argument->size == Size::Kind::kAbsolute && lexer_.Accept('\'')) {
     argument->size = Size::Kind::kRelative;
   }
-  if (!ReadExpression(&argument->value)) return false;
+  if (!ReadValue(&argument->value)) return false;
   argument->range = RangeFrom(from);
   return true;
 }
@@ -126,6 +156,13 @@ bool RuleParser::ReadArgument(WrittenArgument* argument) {
 bool RuleParser::ReadBraces(std::vector<WrittenAlternative>* alternatives) {
   const Nesting nesting(&body_depth_);
   if (!Enter(nesting, kDeepestBody, "braces")) return false;
+  const bool outer = std::exchange(in_brackets_, false);
+  const bool good = ReadAlternatives(alternatives);
+  in_brackets_ = outer;
+  return good;
+}
+
+bool RuleParser::ReadAlternatives(std::vector<WrittenAlternative>* alternatives) {
   lexer_.Next();
   const int braces = lexer_.open_braces();
   if (lexer_.Accept('}')) return true;
@@ -162,12 +199,18 @@ bool RuleParser::ReadAlternative(WrittenAlternative* alternative) {
   } else {
     if (AtKey()) {
       if (!ReadArgument(&alternative->key.emplace_back())) return false;
-      if (!Expect(':', "':' after the size or selector")) return false;
+      if (!lexer_.Accept('=') && !Expect(':', "':' after the size or selector")) return false;
     }
     if (!ReadBody(&alternative->body)) return false;
   }
   alternative->range = RangeFrom(from);
   return true;
+}
+
+/// "all = Roof", as CGA has it, and no comparison.
+bool RuleParser::AtEqualsAlone(Lexer at) {
+  at.Next();
+  return !(at.At('=') && at.Touching());
 }
 
 bool RuleParser::AtKey() const {
@@ -179,6 +222,7 @@ bool RuleParser::AtKey() const {
   for (Lexer ahead = lexer_; !ahead.At(Kind::kEnd); ahead.Next()) {
     const Token& token = ahead.Peek();
     if (parentheses == 0 && ahead.At(':')) return !weight;
+    if (parentheses == 0 && ahead.At('=') && previous == Kind::kName) return AtEqualsAlone(ahead);
     if (ahead.At('(')) ++parentheses;
     if (ahead.At(')') && --parentheses < 0) return false;
     if (ahead.At('{') || ahead.At('}') || ahead.At('[') || ahead.At('@')) return false;

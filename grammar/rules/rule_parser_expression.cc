@@ -120,6 +120,10 @@ bool RuleParser::ReadOperand(WrittenExpression* operand) {
     return Expect(')', "')'");
   }
   if (lexer_.At(Kind::kName)) return ReadNamed(operand);
+  if (lexer_.At('[')) {
+    return Fail(RangeOf(lexer_.Peek()), ErrorCode::kBadText, "arrays are not read",
+                "write a list, \"a;b;c\", and listItem(list, index)");
+  }
   if (!lexer_.At(Kind::kNumber) && !lexer_.At(Kind::kText)) return Unexpected("a value");
   const Token literal = lexer_.Next();
   if (literal.kind == Kind::kNumber) operand->constant = literal.number;
@@ -156,13 +160,17 @@ bool RuleParser::ReadNamed(WrittenExpression* operand) {
   const bool is_next = lexer_.Peek().starts_line && DeclarationFollows(lexer_, false);
   if (is_next || IsRuleWord(lexer_.Peek().text)) return Unexpected("a value");
   operand->kind = WrittenExpression::Kind::kName;
-  if (!ReadDotted(&operand->name)) return false;
+  ReadDotted(&operand->name);
+  if (lexer_.At('.') && lexer_.Touching()) {
+    lexer_.Next();
+    return Unexpected("a name after the dot");
+  }
   operand->range = RangeFrom(from);
   if (!lexer_.Accept('(')) return true;
   operand->kind = WrittenExpression::Kind::kCall;
   if (!lexer_.Accept(')')) {
     do {
-      if (!ReadExpression(&operand->operands.emplace_back())) return false;
+      if (!ReadValue(&operand->operands.emplace_back())) return false;
     } while (lexer_.Accept(','));
     if (!Expect(')', "',' or ')'")) return false;
   }
@@ -170,14 +178,15 @@ bool RuleParser::ReadNamed(WrittenExpression* operand) {
   return Deepen(operand);
 }
 
-bool RuleParser::ReadDotted(std::string* name) {
+void RuleParser::ReadDotted(std::string* name) {
   *name = lexer_.Next().text;
   while (lexer_.At('.') && lexer_.Touching()) {
-    lexer_.Next();
-    if (!lexer_.At(Kind::kName)) return Unexpected("a name after the dot");
-    *name += "." + lexer_.Next().text;
+    Lexer ahead = lexer_;
+    ahead.Next();
+    if (!ahead.At(Kind::kName) || !ahead.Touching()) return;
+    *name += "." + ahead.Next().text;
+    lexer_ = std::move(ahead);
   }
-  return true;
 }
 
 bool RuleParser::Deepen(WrittenExpression* parent) {

@@ -140,7 +140,8 @@ struct Statement {
   std::vector<SuccessorRule> successors;
   std::string symbol;     ///< kSymbol: its name; "NIL" ends the shape at hand
   bool deferred = false;  ///< kSymbol: "@Symbol", after the next normalisation (4.3.3)
-  uint32_t index = 0;     ///< kSymbol: of RuleSet::rules, kNoRule: a terminal; kSet: of attributes
+  uint32_t index = 0;     ///< kSymbol: of RuleSet::rules, kNoRule: a terminal, if only because of
+                          ///< a dot after it ("Wall."); kSet: of attributes
   TextRange range;        ///< of the operation's name, or the symbol
 };
 

@@ -51,12 +51,13 @@ struct WrittenBody {
   TextRange range;
 };
 
-/// "split(y) { … }*", "Tower(3)", "[".
+/// "split(y) { … }*", "Tower(3)", "Wall.", "[".
 struct WrittenStatement {
   enum class Kind : uint8_t { kNamed, kPush, kPop };
   Kind kind = Kind::kNamed;
   std::string name;
   bool deferred = false;  ///< "@Symbol"
+  bool ends = false;      ///< "Symbol.": no rule is looked for
   bool called = false;    ///< parentheses
   std::vector<WrittenArgument> arguments;
   bool braces = false;

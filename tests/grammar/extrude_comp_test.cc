@@ -33,6 +33,44 @@ TEST(Extrude, AFlatLotBecomesAStandingBox) {
   EXPECT_THAT(mass.facing, IsNear(Vec3(0, 1, 0)));
 }
 
+/// A slope that rises 3 m over 8 m to the north, 10 m wide.
+Item Slope() {
+  return *PlanarFrom({{Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 3, -8), Vec3(0, 3, -8)}});
+}
+
+Action Along(std::string direction, double distance) {
+  return Make("extrudeAlong", {std::move(direction), distance});
+}
+
+TEST(ExtrudeAlong, UpASlopeStandsUprightAndKeepsItsSlope) {
+  const Item mass = Apply(Along("world.up", 4), Slope())->front().item;
+  EXPECT_NEAR(VolumeOf(mass), 10 * 8 * 4, 1e-9);
+  EXPECT_THAT(mass.scope.y, IsNear(Vec3(0, 1, 0)));
+  EXPECT_THAT(mass.scope.size, IsNear(Vec3(10, 7, 8)));
+  const Item below = Apply(Along("world.up", -4), Slope())->front().item;
+  EXPECT_NEAR(VolumeOf(below), 10 * 8 * 4, 1e-9);
+  EXPECT_NEAR(below.scope.origin.y, -4, 1e-9);
+}
+
+TEST(ExtrudeAlong, AFlatTopIsLevelWithTheHighestCorner) {
+  const Item mass = Apply(Along("world.up.flatTop", 1), Slope())->front().item;
+  EXPECT_NEAR(mass.scope.size.y, 4, 1e-9);
+  EXPECT_NEAR(VolumeOf(mass), 10 * 8 * (1 + 1.5), 1e-9);
+  EXPECT_THAT(FaceOf(mass, Kind::kTop).facing, IsNear(Vec3(0, 1, 0)));
+}
+
+TEST(ExtrudeAlong, OnTheLevelItIsExtrude) {
+  const Item lot = Lot("0,0 10,0 10,8 0,8");
+  EXPECT_EQ(Apply(Along("world.up", 3), lot)->front().item.mesh, nullptr);
+  EXPECT_THAT(Apply(Along("face.normal", 3), Slope())->front().item.facing, IsNear(Slope().facing));
+}
+
+TEST(ExtrudeAlong, UprightShapesAndNoDistanceAreRefused) {
+  const Item wall = *PlanarFrom({{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(4, 3, 0), Vec3(0, 3, 0)}});
+  EXPECT_EQ(Apply(Along("world.up", 3), wall).error().code, ErrorCode::kDegenerateGeometry);
+  EXPECT_EQ(Apply(Along("world.up", 0), Slope()).error().code, ErrorCode::kDegenerateGeometry);
+}
+
 TEST(Extrude, NegativeGoesInward) {
   const Item cellar = MassOn("0,0 10,0 10,8 0,8", -3);
   EXPECT_THAT(cellar.scope.y, IsNear(Vec3(0, 1, 0)));

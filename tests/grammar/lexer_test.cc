@@ -72,6 +72,22 @@ TEST(Lexer, BadTextIsABadTokenAndReadingGoesOn) {
               ElementsAre("a", HasSubstr("means nothing"), "b", HasSubstr("means nothing"), "c"));
 }
 
+TEST(Lexer, TextsKnowTheEscapesOfCga) {
+  Lexer lexer(R"("\"\\\'\t\u00e9\u2192")");
+  EXPECT_EQ(lexer.Next().text, "\"\\'\t\u00e9\u2192");
+  EXPECT_THAT(Tokens(R"("\ud800" "\u12" "\x")"), ElementsAre(HasSubstr("means nothing")));
+}
+
+TEST(Lexer, CharactersThatMeanNothingHaveAHint) {
+  const auto hint_of = [](std::string_view text) { return Lexer(text).Peek().hint; };
+  EXPECT_THAT(hint_of("\xe2\x80\x98"), HasSubstr("straight quote"));
+  EXPECT_THAT(hint_of("\xe2\x88\x92"), HasSubstr("minus"));
+  EXPECT_THAT(hint_of("^"), HasSubstr("pow(base, exponent)"));
+  EXPECT_THAT(hint_of("$"), HasSubstr("in \"\""));
+  EXPECT_EQ(hint_of(std::string_view("\x07", 1)), "take byte 0x07 out");
+  EXPECT_THAT(hint_of("\xe2\x82\xac"), HasSubstr("U+20AC"));
+}
+
 TEST(Lexer, AnEmptyTextAndAByteOrderMarkHoldNothing) {
   EXPECT_THAT(Tokens(""), ElementsAre());
   EXPECT_THAT(Tokens("\xef\xbb\xbf x"), ElementsAre("x"));

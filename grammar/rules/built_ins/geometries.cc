@@ -105,6 +105,8 @@ Value AngleOf(Values values, const Situation& situation) {
   return which == "zenith" ? zenith : std::min(zenith, 180 - zenith);
 }
 
+constexpr std::array<std::string_view, 3> kAngles = {"zenith", "azimuth", "maxSlope"};
+
 constexpr BuiltIn kRows[] = {
     {"geometry.area",
      {},
@@ -155,7 +157,7 @@ constexpr BuiltIn kRows[] = {
     {"geometry.angle", First(kTexts, 1), kNumber,
      "of the direction in which it looks, in degrees: \"zenith\" (from straight up), \"azimuth\" "
      "(from south towards east), \"maxSlope\"",
-     AngleOf},
+     AngleOf, kAngles},
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 // listItem, listSize …: CGA's lists are texts whose elements are separated by ";".
+#include <algorithm>
+
 #include "grammar/rules/built_ins/tables.h"
 
 namespace parti::grammar::built_ins {
@@ -37,6 +39,18 @@ Value RandomItem(Values values, const Situation& situation) {
   return ItemAt(values, share * static_cast<double>(ElementsOf(values).size()));
 }
 
+std::string Joined(std::span<const std::string> elements) {
+  std::string list;
+  for (const std::string& element : elements) list += element + ";";
+  return list;
+}
+
+std::string Without(std::vector<std::string> elements, const std::string& unwanted) {
+  std::erase(elements, unwanted);
+  return Joined(elements);
+}
+
+constexpr std::array<std::optional<ValueType>, 3> kTextTwoNumbers = {kText, kNumber, kNumber};
 constexpr std::array<std::optional<ValueType>, 2> kTextNumber = {kText, kNumber};
 constexpr auto kOne = First(kTexts, 1);
 
@@ -60,6 +74,29 @@ constexpr BuiltIn kRows[] = {
        const std::string list = TextOf(values[0]);
        const bool ended = list.empty() || list.back() == ';';
        return list + (ended ? "" : ";") + TextOf(values[1]) + ";";
+     }},
+    {"listRange", kTextTwoNumbers, kText,
+     "the elements from one number up to another, without that",
+     [](Values values, const Situation&) -> Value {
+       const auto elements = ElementsOf(values);
+       const auto count = static_cast<double>(elements.size());
+       const double from = std::clamp(NumberOf(values[1]), 0.0, count);
+       const double to = std::clamp(NumberOf(values[2]), from, count);
+       return Joined(std::span(elements).subspan(
+           static_cast<size_t>(from), static_cast<size_t>(to) - static_cast<size_t>(from)));
+     }},
+    {"listTerminate", kOne, kText, "the list with a \";\" at its end",
+     [](Values values, const Situation&) -> Value { return Joined(ElementsOf(values)); }},
+    {"listClean", kOne, kText, "the list without empty elements",
+     [](Values values, const Situation&) -> Value { return Without(ElementsOf(values), ""); }},
+    {"listRemoveAll", First(kTexts, 2), kText, "the list without the element, wherever it is",
+     [](Values values, const Situation&) -> Value {
+       return Without(ElementsOf(values), TextOf(values[1]));
+     }},
+    {"listCount", First(kTexts, 2), kNumber, "how often an element is in the list",
+     [](Values values, const Situation&) -> Value {
+       const auto elements = ElementsOf(values);
+       return static_cast<double>(std::count(elements.begin(), elements.end(), TextOf(values[1])));
      }},
     {"listRandom", kOne, kText, "an element by chance", RandomItem},
 };

@@ -17,7 +17,10 @@ std::span<const BuiltIn> Texts();        ///< of texts: len(text)
 std::span<const BuiltIn> Lists();        ///< of texts that are lists: listSize(text)
 std::span<const BuiltIn> Places();       ///< where a shape stands: scope.sx
 std::span<const BuiltIn> Geometries();   ///< what its geometry is like: geometry.area
+std::span<const BuiltIn> Faces();        ///< what some of its faces are like: geometry.area(top)
+std::span<const BuiltIn> Paints();       ///< what it wears: material.opacity, geometry.du
 std::span<const BuiltIn> Colors();       ///< of colors: colorHexToR(color)
+std::span<const BuiltIn> Paths();        ///< of paths: fileName(path)
 
 using Values = std::span<const Value>;
 using OperandTypes = std::span<const std::optional<ValueType>>;

@@ -82,6 +82,16 @@ constexpr BuiltIn kRows[] = {
        const size_t at = text.find(TextOf(values[1]));
        return at == std::string::npos ? std::string() : text.substr(0, at);
      }},
+    {"getRange", kTexts, kText,
+     "what stands between the first match of one and the next of another",
+     [](Values values, const Situation&) -> Value {
+       const std::string text = TextOf(values[0]), open = TextOf(values[1]);
+       const size_t at = text.find(open);
+       if (at == std::string::npos) return std::string();
+       const size_t from = at + open.size();
+       const size_t to = text.find(TextOf(values[2]), from);
+       return to == std::string::npos ? std::string() : text.substr(from, to - from);
+     }},
     {"getSuffix", First(kTexts, 2), kText, "what stands after the last match",
      [](Values values, const Situation&) -> Value {
        const std::string text = TextOf(values[0]), match = TextOf(values[1]);

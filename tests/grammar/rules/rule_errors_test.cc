@@ -165,8 +165,8 @@ TEST(RuleErrors, UnknownThingsOnceEachWithTheCountOfTheirPlaces) {
   RuleOptions skip;
   skip.skip_unknown = true;
   EXPECT_THAT(WrongWith(text, skip), IsEmpty());
-  EXPECT_THAT(WrongWith("A --> extrude(contextCount(3)) trim()", skip),
-              ElementsAre(StartsWith("1:15 there is no function 'contextCount'")));
+  EXPECT_THAT(WrongWith("A --> extrude(tall) trim()", skip),
+              ElementsAre(StartsWith("1:15 there is no value 'tall'")));
 }
 
 TEST(RuleErrors, ImportsThatLeadNowhere) {

@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 TEST(RuleText, ReadsPlainCga) {
   const RuleSet rules = RulesFrom(R"(version "2019.0"
@@ -148,6 +149,71 @@ TEST(RuleText, RulesOfOneSymbolDifferInTheirParameters) {
   EXPECT_EQ(RuleFor(rules, "A"), 0u);
 }
 
+TEST(RuleText, ADotAfterASymbolLooksForNoRule) {
+  const RuleSet rules = RulesFrom("Lot --> case scope.sx > 3: Lot. else: Low.\nLow --> Lot");
+  const auto& cases = rules.rules[0].body.alternatives;
+  EXPECT_EQ(cases[0].body->statements.at(0).symbol, "Lot");
+  EXPECT_EQ(cases[0].body->statements.at(0).index, kNoRule);
+  EXPECT_EQ(cases[1].body->statements.at(0).index, kNoRule);
+  EXPECT_EQ(Written("A --> Wall. B.\nB --> Roof.\n"), "A --> Wall B.\nB --> Roof\n");
+}
+
+TEST(RuleText, ArgumentsMayBeCasesAndChances) {
+  EXPECT_EQ(Written("Lot --> extrude(case scope.sx > 3: 2 else: 4) Mass(30%: 1 else: 2)\n"
+                    "Mass(h) --> s('1, max(30%: h else: 2, 3), '1)\n"),
+            "Lot --> extrude((case scope.sx > 3: 2 else: 4)) Mass((30%: 1 else: 2))\n"
+            "Mass(h) --> s('1, max((30%: h else: 2), 3), '1)\n");
+}
+
+TEST(RuleText, ReadsOffsetAsCgaWritesIt) {
+  EXPECT_EQ(Written("A --> [ offset(-1, border) extrude(1) Rim ] offset(-2, inside) offset(1) X"),
+            "A --> [ offset(-1) { border: extrude(1) Rim } ] "
+            "offset(-2) { inside: offset(1) { inside: X | border: X } }\n");
+  EXPECT_EQ(Written("A --> offset(-1) comp(f) { border: Rim | all: Inner } B"),
+            "A --> offset(-1) { inside: Inner | border: Rim } B\n");
+  EXPECT_EQ(Written("A --> offset(-1, all)"), "A --> offset(-1) { inside:  | border:  }\n");
+}
+
+TEST(RuleText, ACaseInBracketsBecomesARule) {
+  EXPECT_EQ(Written("A(h) --> [ case h > 3: t(0, 1, 0) B else: [ C ] D ] E"),
+            "A_branch1(h) --> case h > 3: t(0, 1, 0) B else: [ C ] D\n"
+            "A(h) --> [ A_branch1(h) ] E\n");
+  EXPECT_THAT(WrongWith("A --> [ 30%: B else: C"), SizeIs(2));
+}
+
+TEST(RuleText, ScatterKeepsTheShapeAndDrawsASeed) {
+  EXPECT_EQ(Written("A --> scatter(surface, 9, gaussian) { Tree } B"),
+            "A --> [ scatter(surface, 9, gaussian, '0.5, rand(999999999)) Tree ] B\n");
+}
+
+TEST(RuleText, ReadsWordsOfFunctionsAndSelectorsOfObjects) {
+  EXPECT_EQ(Written("A --> case geometry.angle(maxSlope) > 2: B else: C"),
+            "A --> case geometry.angle(maxSlope) > 2: B else: C\n");
+  EXPECT_EQ(Written("A(top) --> extrude(geometry.area(top)) B(geometry.area(\"top\"))\nB(x) --> C"),
+            "A(top) --> extrude(geometry.area(top)) B(geometry.area(\"top\"))\nB(x) --> C\n");
+  EXPECT_EQ(Written("A --> comp(f) { object.front = B | all = C }"),
+            "A --> comp(f) { world.south: B | all: C }\n");
+}
+
+TEST(RuleText, SetsTheMaterialAndDoesWithoutParentheses) {
+  EXPECT_EQ(Written("A --> set(material.opacity, 0.5) reverseNormals alignScopeToAxes B"),
+            "A --> set(material.opacity, 0.5) reverseNormals() alignScopeToAxes() B\n");
+}
+
+TEST(RuleText, PartsMayBeNumbersOrWords) {
+  EXPECT_EQ(Written("A --> alignScopeToGeometry(yUp, 0, longest) B(2)\n"
+                    "B(i) --> alignScopeToGeometry(zUp, any, i + 1) C"),
+            "A --> alignScopeToGeometry(yUp, 0, longest) B(2)\n"
+            "B(i) --> alignScopeToGeometry(zUp, any, i + 1) C\n");
+}
+
+TEST(RuleText, ExtrudeTakesADirection) {
+  const RuleSet rules = RulesFrom("A --> extrude(world.up, 3) B");
+  EXPECT_EQ(rules.rules[0].body.statements[0].operation, FindOperation("extrudeAlong"));
+  EXPECT_EQ(Written("A --> extrude(world.up.flatTop, 3) B"),
+            "A --> extrude(world.up.flatTop, 3) B\n");
+}
+
 TEST(RuleText, OperatorsBindAsInCga) {
   const auto shown = [](const char* text) {
     const RuleSet rules = RulesFrom(std::string("attr a = 1 attr b = 2 attr c = ") + text);
@@ -214,6 +280,13 @@ TEST(RuleText, AnnotationsOfAttributes) {
   EXPECT_EQ(rules.attributes[2].use, Attribute::Use::kColor);
   EXPECT_EQ(rules.attributes[2].choices.size(), 2u);
   EXPECT_EQ(TextOf(rules), text);
+}
+
+TEST(RuleText, ARangeOfNamedValuesIsAChoice) {
+  const RuleSet rules = RulesFrom("@Range(Low=0, High=2)\nattr lod = 0\nA --> X");
+  EXPECT_THAT(rules.attributes[0].choices, ElementsAre(Value(0.0), Value(2.0)));
+  EXPECT_FALSE(rules.attributes[0].low);
+  EXPECT_THAT(WrongWith("@Range(mim=0, max=2)\nattr lod = 0\nA --> X"), SizeIs(1));
 }
 
 TEST(RuleText, AnAtSignAnnotatesAtTheStartOfALineAndDefersElsewhere) {
@@ -296,11 +369,12 @@ Mass --> comp(f) { all: Face })");
 
 TEST(RuleText, SkipsWhatIsUnknownWhenAsked) {
   const RuleSet rules = RulesFrom(
-      "@Wobbly(3) attr a = 1\nA --> envelope(world.up, 3) { side: extrude(a) } scatter(\"x\") B\n"
-      "B --> scatter(\"y\") C",
+      "@Wobbly(3) attr a = 1\nA --> envelope(world.up, 3) { side: extrude(a) } "
+      "insertAlongUV(\"x\") B\n"
+      "B --> insertAlongUV(\"y\") C",
       {.skip_unknown = true});
   EXPECT_THAT(rules.skipped, ElementsAre("annotation '@Wobbly'", "operation 'envelope'",
-                                         "operation 'scatter', 2 places"));
+                                         "operation 'insertAlongUV', 2 places"));
   EXPECT_EQ(rules.rules[0].body.statements.size(), 1u);
 }
 
