@@ -62,6 +62,17 @@ Result<RuleSource> SourceOf(const ModelOptions& options) {
   return source;
 }
 
+/// What a person sets is held to @Range and @Enum; what rules set is not.
+Result<void> AllowedSets(const grammar::RuleSet& rules, const grammar::RuleSettings& settings) {
+  for (const auto& [name, text] : settings.attributes) {
+    const auto given = grammar::AttributeValue(rules, name, text);
+    if (!given) return Fail(given);
+    auto allowed = grammar::CheckAllowed(rules.attributes[given->index], given->value);
+    if (!allowed) return allowed;
+  }
+  return {};
+}
+
 tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& options,
                                                        const grammar::RuleThreads& threads) {
   if (threads.count != 1) grammar::BeginRuleWorkers();  // while the text is read
@@ -69,6 +80,9 @@ tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& optio
   if (!source) return Failed({source.error()});
   auto rules = ReadRules(options.file, &*source);
   if (!rules) return Failed(std::move(rules.error()));
+  if (const auto allowed = AllowedSets(*rules, source->settings); !allowed) {
+    return Failed({allowed.error()});
+  }
   auto lots = ParseLots(options.lot.empty() ? kUsualLot : options.lot);
   if (!lots) return Failed({lots.error()});
   auto trees = std::make_shared<const grammar::Trees>(std::move(rules->trees));

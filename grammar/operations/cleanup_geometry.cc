@@ -51,8 +51,8 @@ Result<std::vector<Product>> ApplyCleanup(const Item& item, const Action& action
   const bool straightens = what == kAll || what == kEdges;
   std::vector<Ring> rings{Cleaned(item.polygon->outer, tolerance_m, merges, straightens)};
   for (const Ring& hole : item.polygon->holes) {
-    Ring cleaned = Cleaned(hole, tolerance_m, merges, straightens);
-    rings.push_back(cleaned.size() < 3 ? hole : std::move(cleaned));
+    const Ring cleaned = Cleaned(hole, tolerance_m, merges, straightens);
+    rings.push_back(cleaned.size() < 3 ? hole : cleaned);
   }
   auto polygon = PolygonFrom(rings);
   if (!polygon) return same;  // too coarse for this outline

@@ -43,6 +43,20 @@ void AddParts(const Item& item, int axis, const SplitPiece& piece, std::vector<P
   }
 }
 
+/// Along z what lies is cut from the back to the front, as CGA has it; along y from its first edge.
+bool RunsToTheFront(const Item& item, const Action& action) {
+  const bool is_z = std::get<Axis>(action.arguments[0]) == Axis::kZ;
+  return is_z && item.type == ItemType::kPlanar && item.scope.z.y > 0;
+}
+
+void Reverse(double extent_m, std::vector<SplitPiece>* pieces) {
+  for (SplitPiece& piece : *pieces) {
+    const double low = extent_m - piece.high;
+    piece.high = extent_m - piece.low;
+    piece.low = low;
+  }
+}
+
 using Resolve = Result<void> (*)(std::span<const Successor>, double, std::vector<SplitPiece>*);
 
 Result<std::vector<Product>> Cut(const Item& item, const Action& action, Resolve resolve) {
@@ -53,6 +67,7 @@ Result<std::vector<Product>> Cut(const Item& item, const Action& action, Resolve
   pieces.reserve(action.successors.size());
   const auto resolved = resolve(action.successors, item.scope.size[axis], &pieces);
   if (!resolved) return Fail(resolved);
+  if (RunsToTheFront(item, action)) Reverse(item.scope.size[axis], &pieces);
   const Item whole = WithOwnMesh(item);
   std::vector<Product> products;
   products.reserve(pieces.size());

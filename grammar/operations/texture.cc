@@ -67,7 +67,9 @@ ImageAxes AxesFrom(const Item& item, std::string_view word) {
     axes.u[u] = axes.v[v] = 1;
     return axes;
   }
-  const Scope named = NamedScope(item);
+  // Of what lies, y and z both name the second axis in its plane: the image lies there, too.
+  const bool in_plane = item.type == ItemType::kPlanar && u != 2 && v != 2;
+  const Scope named = in_plane ? item.scope : NamedScope(item);
   return {named.origin, named.axis(u), named.axis(v), named.size[u], named.size[v]};
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 using Steps = std::vector<WrittenStatement>;
 
-constexpr std::string_view kInside = "inside", kBorder = "border", kAll = "all";
+constexpr std::string_view kInside = "inside", kBorder = "border", kAll = "all", kShape = "shape";
+constexpr std::string_view kInnerRect = "innerRect";
 
 /// The bare word that an argument is; "" for none.
 std::string_view WordOf(const WrittenArgument& argument) {
@@ -22,8 +23,10 @@ std::string_view WordOf(const WrittenArgument& argument) {
 
 /// Which part it keeps; "" where the step is no offset without braces.
 std::string_view PartOf(const WrittenStatement& step) {
-  const bool is_plain = step.kind == WrittenStatement::Kind::kNamed && step.name == "offset" &&
-                        step.called && !step.braces && !step.deferred;
+  const bool is_step =
+      step.kind == WrittenStatement::Kind::kNamed && !step.braces && !step.deferred;
+  if (is_step && step.name == kInnerRect && step.arguments.empty()) return kShape;
+  const bool is_plain = is_step && step.name == "offset" && step.called;
   if (!is_plain || step.arguments.empty() || step.arguments.size() > 2) return "";
   if (step.arguments.size() == 1) return kAll;
   const std::string_view word = WordOf(step.arguments[1]);
@@ -87,14 +90,20 @@ std::optional<Steps> WithOneBraced(const Steps& steps) {
   auto next = std::next(found);
   const auto end = EndOfBrackets(next, steps.end());
   WrittenStatement offset = *found;
-  offset.braces = true;
+  offset.braces = offset.called = true;
   offset.arguments.resize(1);
+  if (part == kShape) {
+    offset.name = "innerRectangle";
+    offset.arguments[0].value.kind = WrittenExpression::Kind::kName;
+    offset.arguments[0].value.name = "scope";
+    offset.arguments[0].range = offset.arguments[0].value.range = offset.range;
+  }
   if (part == kAll && next != end && SortsParts(*next)) {
     offset.alternatives = Sorted(*next);
     ++next;
   } else {
-    for (const std::string_view kept : {kInside, kBorder}) {
-      if (part != kAll && part != kept) continue;
+    for (const std::string_view kept : {kInside, kBorder, kShape}) {
+      if (part != kept && (part != kAll || kept == kShape)) continue;
       offset.alternatives.push_back(AlternativeFor(kept, offset));
       offset.alternatives.back().body.statements.assign(next, end);
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "grammar/rules/conversions.h"
 #include "grammar/rules/rule_checker.h"
 #include "grammar/rules/rule_parser.h"
 
@@ -96,7 +97,10 @@ void RuleChecker::AnnotateRange(const WrittenAnnotation& annotation, Attribute* 
                                    : argument.name == "max"      ? &attribute->high
                                    : argument.name == "stepsize" ? &attribute->step
                                                                  : nullptr;
-    if (argument.name == "restricted") continue;
+    if (argument.name == "restricted") {
+      attribute->restricted = TruthOf(*value);
+      continue;
+    }
     const bool is_text = argument.name.empty() && !std::holds_alternative<double>(*value);
     if (is_text || (names_choices && bound == nullptr)) {
       AddChoice(argument.value, attribute);  // as @Enum is written now
@@ -112,6 +116,7 @@ void RuleChecker::AnnotateRange(const WrittenAnnotation& annotation, Attribute* 
     }
     *bound = *number;
   }
+  if (!attribute->low && !attribute->high) attribute->restricted = true;
   if (attribute->low && attribute->high && *attribute->low > *attribute->high) {
     Report(annotation.range, ErrorCode::kBadNumber, "this range is empty",
            "the least value stands first");

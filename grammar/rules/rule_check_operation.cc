@@ -115,6 +115,20 @@ std::string Usage(const Operation& row) {
   return fmt::format("{}({})", Written(row), fmt::join(names, ", "));
 }
 
+/// split(u, unitSpace, 0) of shapes without coordinates of a street: u is the scope's x, v its y.
+std::optional<WrittenStatement> WithoutUvs(const WrittenStatement& written) {
+  const auto& arguments = written.arguments;
+  const std::string* way = arguments.size() == 3 ? WordOf(arguments[0]) : nullptr;
+  const std::string* space = way != nullptr ? WordOf(arguments[1]) : nullptr;
+  const bool is_uv = space != nullptr && *space == "unitSpace" && written.name == kSplit &&
+                     (*way == "u" || *way == "v");
+  if (!is_uv) return std::nullopt;
+  WrittenStatement plain = written;
+  plain.arguments.resize(1);
+  plain.arguments[0].value.name = *way == "u" ? "x" : "y";
+  return plain;
+}
+
 size_t LeavesOf(const std::vector<WrittenAlternative>& alternatives) {
   size_t leaves = 0;
   for (const WrittenAlternative& a : alternatives) leaves += a.group ? LeavesOf(a.repeat) : 1;
@@ -125,6 +139,7 @@ size_t LeavesOf(const std::vector<WrittenAlternative>& alternatives) {
 
 std::optional<Statement> RuleChecker::ResolveOperation(const WrittenStatement& written,
                                                        const Operation& found) {
+  if (const auto plain = WithoutUvs(written)) return ResolveOperation(*plain, found);
   const bool repeats = written.repeated && found.name == kSplit;
   const bool has_way = found.name == kExtrude && written.arguments.size() == 2 &&
                        WordOf(written.arguments[0]) != nullptr;

@@ -38,8 +38,8 @@ bool operator==(const Expression& a, const Expression& b) {
 
 bool operator==(const Attribute& a, const Attribute& b) {
   const auto parts = [](const Attribute& x) {
-    return std::tie(x.name, x.value, x.constant, x.group, x.order, x.low, x.high, x.step, x.choices,
-                    x.description, x.use, x.hidden);
+    return std::tie(x.name, x.value, x.constant, x.group, x.order, x.low, x.high, x.step,
+                    x.restricted, x.choices, x.description, x.use, x.hidden);
   };
   return parts(a) == parts(b);
 }

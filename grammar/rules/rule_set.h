@@ -69,6 +69,7 @@ struct Attribute {
   std::optional<double> order;      ///< @Order
   std::optional<double> low, high;  ///< @Range
   std::optional<double> step;       ///< @Range(stepsize=…)
+  bool restricted = true;           ///< @Range(restricted=false): low and high are proposals
   std::vector<Value> choices;       ///< @Enum, @Range of texts; values of the attribute's type
   std::string description;          ///< @Description
   Use use = Use::kPlain;

@@ -162,6 +162,32 @@ Result<GivenValue> AttributeValue(const RuleSet& rules, const std::string& name,
               fmt::format("give a {}", NameOf(type)));
 }
 
+Result<void> CheckAllowed(const Attribute& attribute, const Value& value) {
+  const auto& choices = attribute.choices;
+  const bool is_chosen =
+      choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end();
+  if (!is_chosen) {
+    std::vector<std::string> texts;
+    for (const Value& choice : choices) texts.push_back(TextOf(choice));
+    const auto meant = DidYouMean(TextOf(value), texts);
+    return Fail(ErrorCode::kBadArguments,
+                fmt::format("{} can't be '{}'", attribute.name, TextOf(value)),
+                meant ? fmt::format("did you mean '{}'?", *meant)
+                      : fmt::format("it is one of {}", fmt::join(texts, ", ")));
+  }
+  const double* number = std::get_if<double>(&value);
+  if (number == nullptr || !attribute.restricted) return {};
+  const bool is_low = attribute.low && *number < *attribute.low;
+  const bool is_high = attribute.high && *number > *attribute.high;
+  if (!is_low && !is_high) return {};
+  const std::string range =
+      !attribute.high  ? fmt::format("a number from {} on", *attribute.low)
+      : !attribute.low ? fmt::format("a number up to {}", *attribute.high)
+                       : fmt::format("a number from {} to {}", *attribute.low, *attribute.high);
+  return Fail(ErrorCode::kBadNumber, fmt::format("{} is {}", attribute.name, *number),
+              "give " + range);
+}
+
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
                                          const Item& lot, uint32_t lot_number) {
   Attributes attributes(rules, settings, lot, LotPath(settings.seed, lot_number));

@@ -43,6 +43,11 @@ struct GivenValue {
 Result<GivenValue> AttributeValue(const RuleSet& rules, const std::string& name,
                                   const std::string& text);
 
+/// Whether a person may give the attribute this value: within @Range, unless that says
+/// restricted=false, and one of @Enum. What set() and styles in rules give is not asked.
+/// errors  kBadNumber, kBadArguments  naming the attribute and what it may be.
+Result<void> CheckAllowed(const Attribute& attribute, const Value& value);
+
 /// The values of the rule set's attributes for a lot: those of the settings, else what their
 /// expressions give, each computed once. Draws by chance come from the seed, the number of the lot
 /// and the attribute's name.

@@ -18,7 +18,7 @@ std::string ParametersText(const std::vector<RuleParameter>& parameters) {
 }
 
 std::string RangeText(const Attribute& attribute) {
-  if (attribute.low && attribute.high && !attribute.step) {
+  if (attribute.low && attribute.high && !attribute.step && attribute.restricted) {
     return fmt::format("@Range({}, {})", NumberText(*attribute.low), NumberText(*attribute.high));
   }
   std::vector<std::string> bounds;
@@ -28,6 +28,7 @@ std::string RangeText(const Attribute& attribute) {
   add("min", attribute.low);
   add("max", attribute.high);
   add("stepsize", attribute.step);
+  if (!attribute.restricted) bounds.emplace_back("restricted=false");
   return bounds.empty() ? "" : fmt::format("@Range({})", fmt::join(bounds, ", "));
 }
 

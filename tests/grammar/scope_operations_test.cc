@@ -18,7 +18,7 @@ Action ToGeometry(std::string face, std::string edge) {
   return Make("alignScopeToGeometry", {std::string("yUp"), std::move(face), std::move(edge)});
 }
 Action RotateScope(double x, double y, double z) { return Make("rotateScope", {x, y, z}); }
-Action InWorld(std::string name, std::string mode, double x, double y, double z) {
+Action InWorld(const std::string& name, std::string mode, double x, double y, double z) {
   return Make(name, {std::move(mode), std::string("world"), x, y, z});
 }
 

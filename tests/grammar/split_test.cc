@@ -159,5 +159,15 @@ TEST(Split, UprightShapeHasNoDepth) {
             ErrorCode::kBadArguments);
 }
 
+TEST(Split, AlongZALotIsCutFromTheBackToTheFront) {
+  const Item lot = Lot("0,0 8,0 8,10 0,10");
+  const auto along = [&](Axis axis) {
+    return Apply(Split(axis, {Metres(2, "A"), Floating(1, "B")}), lot)->front().item.scope;
+  };
+  EXPECT_NEAR(along(Axis::kZ).origin.z, -8, 1e-9);
+  EXPECT_NEAR(along(Axis::kY).origin.z, 0, 1e-9);
+  EXPECT_NEAR(along(Axis::kZ).size.y, 2, 1e-9);
+}
+
 }  // namespace
 }  // namespace parti::grammar::tests

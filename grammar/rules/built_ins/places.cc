@@ -7,9 +7,14 @@
 namespace parti::grammar::built_ins {
 namespace {
 
+/// Of what lies, y and z are both the second axis in its plane, as for split.
 template <int kAxis>
 Value Size(Values, const Situation& situation) {
-  return situation.item->scope.size[kAxis];
+  const Item& item = *situation.item;
+  constexpr double kLevel = 0.70710678118654752;  // elevation of 45 deg, as for :up (errata 10)
+  const bool lies = IsFlat(item.type) && std::abs(item.scope.z.y) >= kLevel - 1e-9;
+  const bool has_depth = item.scope.size.z > 0;
+  return item.scope.size[kAxis == 2 && lies && !has_depth ? 1 : kAxis];
 }
 
 /// From the lot's origin, along the world's axes.
@@ -49,7 +54,11 @@ Value LotOrigin(Values, const Situation& situation) {
 constexpr BuiltIn kRows[] = {
     {"scope.sx", {}, kNumber, "size of the scope along its x axis, in metres", Size<0>},
     {"scope.sy", {}, kNumber, "the same along y", Size<1>},
-    {"scope.sz", {}, kNumber, "the same along z; 0 for what is flat", Size<2>},
+    {"scope.sz",
+     {},
+     kNumber,
+     "the same along z; of what lies its depth, else 0 for what is flat",
+     Size<2>},
     {"scope.tx",
      {},
      kNumber,

@@ -7,6 +7,7 @@
 #include "base/text_file.h"
 #include "grammar/operation.h"
 #include "grammar/rules/built_ins.h"
+#include "grammar/rules/rule_settings.h"
 #include "tests/grammar/rules/rule_text_support.h"
 #include "tests/support/data.h"
 
@@ -171,6 +172,8 @@ TEST(RuleText, ReadsOffsetAsCgaWritesIt) {
             "offset(-2) { inside: offset(1) { inside: X | border: X } }\n");
   EXPECT_EQ(Written("A --> offset(-1) comp(f) { border: Rim | all: Inner } B"),
             "A --> offset(-1) { inside: Inner | border: Rim } B\n");
+  EXPECT_EQ(Written("A --> innerRect [ t(1, 0, 0) B ] C"),
+            "A --> innerRectangle(scope) { shape: [ t(1, 0, 0) B ] C }\n");
   EXPECT_EQ(Written("A --> offset(-1, all)"), "A --> offset(-1) { inside:  | border:  }\n");
 }
 
@@ -198,6 +201,13 @@ TEST(RuleText, ReadsWordsOfFunctionsAndSelectorsOfObjects) {
 TEST(RuleText, SetsTheMaterialAndDoesWithoutParentheses) {
   EXPECT_EQ(Written("A --> set(material.opacity, 0.5) reverseNormals alignScopeToAxes B"),
             "A --> set(material.opacity, 0.5) reverseNormals() alignScopeToAxes() B\n");
+}
+
+TEST(RuleText, SplitsAlongUInMetresGoAlongX) {
+  EXPECT_EQ(Written("A --> split(u, unitSpace, 0) { 2: B | ~1: C }"),
+            "A --> split(x) { 2: B | ~1: C }\n");
+  EXPECT_EQ(Written("A --> split(v, unitSpace, 0) { ~2: B }*"), "A --> split(y) { ~2: B }*\n");
+  EXPECT_THAT(WrongWith("A --> split(u, uvSpace, 0) { 2: B }"), SizeIs(1));
 }
 
 TEST(RuleText, PartsMayBeNumbersOrWords) {
@@ -280,6 +290,31 @@ TEST(RuleText, AnnotationsOfAttributes) {
   EXPECT_EQ(rules.attributes[2].use, Attribute::Use::kColor);
   EXPECT_EQ(rules.attributes[2].choices.size(), 2u);
   EXPECT_EQ(TextOf(rules), text);
+}
+
+TEST(RuleText, ARangeMayBeAProposal) {
+  EXPECT_EQ(Written("@Range(min=1, max=4, restricted=false)\nattr h = 2\nA --> X"),
+            "@Range(min=1, max=4, restricted=false)\nattr h = 2\n\nA --> X\n");
+  EXPECT_EQ(Written("@Range(min=1, max=4, restricted=true)\nattr h = 2\nA --> X"),
+            "@Range(1, 4)\nattr h = 2\n\nA --> X\n");
+}
+
+TEST(RuleSettings, WhatAPersonGivesIsHeldToRangeAndEnum) {
+  const RuleSet rules = RulesFrom(
+      "@Range(1, 4)\nattr a = 2\n@Range(min=1, max=4, restricted=false)\nattr b = 2\n"
+      "@Enum(\"gable\", \"hip\")\nattr c = \"hip\"\n@Range(min=0)\nattr d = 1\nattr e = 1\nA --> "
+      "X");
+  const auto says = [&](size_t i, const Value& value) {
+    const auto allowed = CheckAllowed(rules.attributes[i], value);
+    return allowed ? std::string() : allowed.error().message + "; " + allowed.error().hint;
+  };
+  EXPECT_EQ(says(0, 4.0), "");
+  EXPECT_EQ(says(0, 4.5), "a is 4.5; give a number from 1 to 4");
+  EXPECT_EQ(says(1, 99.0), "");
+  EXPECT_EQ(says(2, std::string("gabel")), "c can't be 'gabel'; did you mean 'gable'?");
+  EXPECT_EQ(says(2, std::string("flat")), "c can't be 'flat'; it is one of gable, hip");
+  EXPECT_EQ(says(3, -1.0), "d is -1; give a number from 0 on");
+  EXPECT_EQ(says(4, -1e9), "");
 }
 
 TEST(RuleText, ARangeOfNamedValuesIsAChoice) {
