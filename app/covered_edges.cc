@@ -50,9 +50,15 @@ class Sorter {
   void Add(const Item& item, grammar::ShapeIndex owner) {
     FindNear(item, owner);
     if (near_.empty()) return grammar::EdgesOf(item, &sorted_.open);
+    bool is_covered = false;
     for (const Segment3& edge : grammar::EdgesOf(item)) {
-      if (!AddCovered(item, edge)) sorted_.open.push_back(edge);
+      if (AddCovered(item, edge)) {
+        is_covered = true;
+      } else {
+        sorted_.open.push_back(edge);
+      }
     }
+    if (is_covered) sorted_.covered_shapes.push_back(owner);
   }
 
   SortedEdges Take() {

@@ -19,7 +19,8 @@ struct CoveredEdges {
 /// All edges of some shapes, cut where they begin or cease to be covered.
 struct SortedEdges {
   std::vector<Segment3> open;
-  std::vector<CoveredEdges> covered;  ///< in the order in which their faces come
+  std::vector<CoveredEdges> covered;                ///< in the order in which their faces come
+  std::vector<grammar::ShapeIndex> covered_shapes;  ///< that have such edges, in the order given
 };
 
 /// Which parts faces cover, edge_cover.h says; the first face that covers a part of an edge takes

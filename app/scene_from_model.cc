@@ -72,7 +72,11 @@ void AddCreases(const std::vector<Segment3>& edges, const Vec3& behind, const Dr
 void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
               const DrawingStyle& style) {
   const std::vector<grammar::ShapeIndex> leaves = tree.Leaves();
+  const SortedEdges edges = SortEdges(tree, leaves);
+  auto covered_shape = edges.covered_shapes.begin();
   for (const grammar::ShapeIndex i : leaves) {
+    const bool is_covered = covered_shape != edges.covered_shapes.end() && *covered_shape == i;
+    if (is_covered) ++covered_shape;
     const grammar::Shape& shape = tree[i];
     for (const grammar::SurfacePart& part : grammar::SurfaceOf(shape.item)) {
       Item worn = shape.item;
@@ -80,11 +84,11 @@ void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
       scene->faces.push_back({{part.corners.begin(), part.corners.end()},
                               ColorOf(worn, tree.Name(shape.symbol), style),
                               first_id + i,
-                              grammar::IsClosedBody(shape.item)});
+                              grammar::IsClosedBody(shape.item),
+                              is_covered});
       Wear(part, &scene->faces.back());
     }
   }
-  const SortedEdges edges = SortEdges(tree, leaves);
   AddCreases(edges.open, Vec3(0, 0, 0), style, scene);
   for (const CoveredEdges& covered : edges.covered) {
     AddCreases(covered.edges, covered.normal, style, scene);

@@ -16,7 +16,12 @@ void SetLight(const GlProgram& program, const Frame& frame, const GpuScene& scen
   program.Set("base_height", static_cast<float>(scene.face_bounds.low.y));
 }
 
-void SetDepthState(const Gl& gl) {
+void SetDepthState(const Gl& gl, const Look& look, FaceDepth depth) {
+  if (depth == FaceDepth::kForLines) {
+    // Farther by their slope over the pixels that a line is wide.
+    gl.Enable(GL_POLYGON_OFFSET_FILL);
+    gl.PolygonOffset(look.face_slope_offset, look.face_offset_units);
+  }
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
@@ -54,12 +59,9 @@ void DrawImageFaces(const Gl& gl, const GlProgram& program, const Frame& frame,
 }  // namespace
 
 void DrawFaces(const Gl& gl, const GlProgram& plain, const GlProgram& with_image,
-               const Frame& frame, const GpuScene& scene, const ShadowLookup& shadow) {
-  SetDepthState(gl);
-  // Farther by their slope over the pixels that a line is wide: an edge's line then lies in front
-  // of both its faces, however grazing the view, and no farther edge comes through.
-  gl.Enable(GL_POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(frame.look.face_slope_offset, frame.look.face_offset_units);
+               const Frame& frame, const GpuScene& scene, const ShadowLookup& shadow,
+               FaceDepth depth) {
+  SetDepthState(gl, frame.look, depth);
   SetAll(gl, plain, frame, scene, shadow);
   scene.plain_faces.DrawNearFirst(gl, frame.volume);
   if (!scene.image_faces.empty()) {
@@ -69,12 +71,13 @@ void DrawFaces(const Gl& gl, const GlProgram& plain, const GlProgram& with_image
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame,
-                 const GpuScene& scene) {
-  SetDepthState(gl);
+void DrawFaceIds(const Gl& gl, const GlProgram& program, const Frame& frame, const GpuScene& scene,
+                 FaceDepth depth) {
+  SetDepthState(gl, frame.look, depth);
   program.Use();
   SetPlace(program, frame);
   scene.DrawFacesNearFirst(gl, frame.volume);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 }  // namespace parti::render

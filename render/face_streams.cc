@@ -48,13 +48,14 @@ Vec2f UvAt(const Faces& faces, size_t corner) {
   return std::isfinite(uv.x) && std::isfinite(uv.y) ? Vec2f(uv.x, 1 - uv.y) : Vec2f(0, 1);
 }
 
-/// Nothing where the triangle has no area.
-std::optional<std::array<int16_t, 4>> PackedNormal(const Vec3f* p) {
+/// Its fourth part says whether the face yields. Nothing where the triangle has no area.
+std::optional<std::array<int16_t, 4>> PackedNormal(const Vec3f* p, bool yields) {
   const Vec3 normal = glm::cross(Vec3(p[1]) - Vec3(p[0]), Vec3(p[2]) - Vec3(p[0]));
   const double length = glm::length(normal);
   if (!(length > 0)) return std::nullopt;
   const auto part = [&](double n) { return static_cast<int16_t>(std::lround(n / length * 32767)); };
-  return std::array<int16_t, 4>{part(normal.x), part(normal.y), part(normal.z), 0};
+  const int16_t last = yields ? INT16_MAX : 0;
+  return std::array<int16_t, 4>{part(normal.x), part(normal.y), part(normal.z), last};
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ void FaceStreams::Append(const Faces& faces) {
   for (size_t i = 0; i + 2 < faces.corners.size(); i += 3) {
     const Vec3f* p = &faces.corners[i];
     if (!IsDrawable(p[0]) || !IsDrawable(p[1]) || !IsDrawable(p[2])) continue;
-    const auto normal = PackedNormal(p);
+    const auto normal = PackedNormal(p, faces.yields);
     if (!normal) continue;
     std::array<FaceVertex, 3> triangle;
     for (int k = 0; k < 3; ++k) triangle[k] = {p[k], *normal, color, id};

@@ -68,6 +68,9 @@ GpuScene::GpuScene(const Gl& gl, const Scene& scene, GpuTextures old_textures)
       lines_on_top(gl, Primitive::kQuads, sizeof(LineInstance), kLineLayout),
       ink(Grouped(gl, scene.ink)),
       ground(scene.ground),
+      has_covered_lines(
+          std::any_of(scene.lines.begin(), scene.lines.end(),
+                      [](const Lines& group) { return group.behind != Vec3f(0, 0, 0); })),
       textures(gl, std::move(old_textures)),
       face_bounds(BoundsOf(scene, false)),
       bounds(BoundsOf(scene, true)) {

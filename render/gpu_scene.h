@@ -39,6 +39,7 @@ struct GpuScene {
   VertexStream lines_on_top;
   std::vector<InkGroup> ink;
   bool ground;
+  bool has_covered_lines;  ///< lines that lie behind faces (Lines::behind)
   GpuTextures textures;
   /// Draws all faces without their images, and without the back sides of closed ones.
   void DrawAllFaces(const Gl& gl) const;

@@ -90,17 +90,28 @@ Result<void> Renderer::Draw(const LoadedScene& loaded, const Camera& camera, con
   const GpuScene& scene = loaded.scene;
   const Frame frame(camera, scene.bounds, tile, look_, detail);
   const bool many = detail.many_samples;
+  // A face whose edge others cover would come through them. Depths of their own for lines cost a
+  // pass, and so are left to scenes and pictures that show it.
+  const bool own_depths = many && scene.has_covered_lines;
   // GLES encodes whatever goes into an sRGB framebuffer; GL does when asked to.
   if (!gl_->is_gles) gl_->Enable(GL_FRAMEBUFFER_SRGB);
   (many ? samples_ : picture_)->Bind();
   frame.SetViewport(*gl_);
   gl_->DepthMask(GL_TRUE);
   gl_->Clear(GL_DEPTH_BUFFER_BIT);
-  DrawFaces(*gl_, programs_.face, programs_.face_image, frame, scene, loaded.shadow.lookup());
+  DrawFaces(*gl_, programs_.face, programs_.face_image, frame, scene, loaded.shadow.lookup(),
+            own_depths ? FaceDepth::kWhereTheyAre : FaceDepth::kForLines);
   DrawGround(*gl_, programs_.ground, frame, scene, loaded.shadow.lookup(), full_screen_);
   // Lines smooth their own edges, and cost a quarter of what they would in the samples.
+  if (own_depths) {
+    picture_->Bind();
+    gl_->Clear(GL_DEPTH_BUFFER_BIT);
+    // The ids are drawn over by what is resolved next; their depths stay.
+    DrawFaceIds(*gl_, programs_.id, frame, scene, FaceDepth::kForLines);
+  }
   if (many) {
-    Resolve(tile, *samples_, picture_->id(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    Resolve(tile, *samples_, picture_->id(),
+            GL_COLOR_BUFFER_BIT | (own_depths ? 0 : GL_DEPTH_BUFFER_BIT));
     picture_->Bind();
   }
   DrawLines(*gl_, programs_.line, frame, scene);

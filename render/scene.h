@@ -23,6 +23,8 @@ struct Faces {
   Vec3f color{0.93f, 0.92f, 0.90f};  ///< sRGB
   uint32_t id = 0;                   ///< for picking; 0: not pickable
   bool closed = false;  ///< a watertight body: its back sides, never seen, are not drawn
+  /// It touches the back of a face that hides it; where the two meet in one line, that face wins.
+  bool yields = false;
   /// A PNG or JPEG as its file holds it, multiplied by `color` and repeated without end. Null, or
   /// not to be read: `color` alone.
   std::shared_ptr<const std::string> image = nullptr;

@@ -71,6 +71,7 @@ TEST(SortEdges, WallsEndUnderARoofThatRunsOnBeyondThem) {
     }
   }
   EXPECT_NEAR(CoveredLength(edges), 2 * (10 + 8), 0.1);
+  EXPECT_EQ(edges.covered_shapes.size(), 4u) << "the walls";
 }
 
 TEST(SortEdges, WallsThatMeetTheEavesAreOpen) {

@@ -163,6 +163,38 @@ TEST_P(Offscreen, LinesBehindAFaceAreNotSeenFromItsFront) {
   EXPECT_TRUE(IsDark(PixelAt(Draw(scene, back), 200, 149)));
 }
 
+TEST_P(Offscreen, AWallThatYieldsDoesNotComeThroughTheRoofThatRunsOnBeyondIt) {
+  Scene roof;
+  roof.ground = false;
+  roof.faces.push_back(
+      {{{-3, -0.5f, 1}, {3, -0.5f, 1}, {3, 1, -2}, {-3, -0.5f, 1}, {3, 1, -2}, {-3, 1, -2}},
+       {0.8f, 0.2f, 0.1f},
+       1});
+  Scene house = roof;
+  house.faces.push_back({{{-2, -3, 0}, {2, -3, 0}, {2, 0, 0}, {-2, -3, 0}, {2, 0, 0}, {-2, 0, 0}},
+                         {1, 1, 1},
+                         2,
+                         false,
+                         true});
+  Lines top{{{-2, 0, 0}, {2, 0, 0}}};
+  top.behind = glm::normalize(Vec3f(0, 2, 1));
+  house.lines.push_back(top);
+  Camera camera = Front();
+  for (const double height : {0.5, 2.0, 5.0, 9.0}) {
+    camera.eye = {3, height, 20};
+    const auto ids = renderer_->DrawIds(roof, camera);
+    ASSERT_TRUE(ids);
+    const Image alone = Draw(roof, camera), both = Draw(house, camera);
+    for (int y = 1; y + 1 < alone.height; ++y) {
+      for (int x = 0; x < alone.width; ++x) {
+        const auto id_at = [&](int row) { return (*ids)[size_t{1} * row * alone.width + x]; };
+        if (id_at(y - 1) != 1 || id_at(y) != 1 || id_at(y + 1) != 1) continue;
+        ASSERT_NEAR(PixelAt(both, x, y).g, PixelAt(alone, x, y).g, 6) << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST_P(Offscreen, EveryDirectionOfABoxHasItsOwnShade) {
   Scene scene;
   scene.ground = false;
