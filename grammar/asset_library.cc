@@ -67,7 +67,10 @@ std::string PathBeside(std::string_view folder, std::string_view name) {
 
 std::vector<std::string> PathsFor(std::string_view folder, std::string_view name) {
   std::vector<std::string> paths = {PathBeside(folder, name)};
-  if (name.starts_with('/')) return paths;
+  if (name.starts_with('/')) {  // as it is; else from the root of CityEngine's workspace
+    name.remove_prefix(1);
+    paths.push_back(PathBeside(folder, name));
+  }
   for (std::string at(folder); at != "/" && paths.size() < kMostFolders;) {
     at = FolderAbove(at);
     paths.push_back(PathBeside(at, name));

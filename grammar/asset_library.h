@@ -33,8 +33,8 @@ std::string_view FolderOf(std::string_view path);
 /// `name` as written in a file in `folder`: beside it, unless it is absolute. Slashes only.
 std::string PathBeside(std::string_view folder, std::string_view name);
 /// Where rules in `folder` mean `name` to be: beside them, else in the folders above, the nearest
-/// first; kMostFolders at most, and never none. An absolute name is itself. A pure function: no
-/// file is looked at.
+/// first; kMostFolders at most, and never none. An absolute name is itself first, then what it is
+/// from those folders: CityEngine's "/ESRI.lib/rules/a.cga". A pure function: no file is looked at.
 std::vector<std::string> PathsFor(std::string_view folder, std::string_view name);
 inline constexpr size_t kMostFolders = 16;
 

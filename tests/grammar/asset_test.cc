@@ -204,7 +204,8 @@ TEST(AssetLibrary, LooksInTheFoldersAboveTheNearestFirst) {
               testing::ElementsAre("/a/b/c/x.obj", "/a/c/x.obj", "/c/x.obj"));
   EXPECT_THAT(PathsFor("/", "x.obj"), testing::ElementsAre("/x.obj"));
   EXPECT_EQ(PathsFor("..", "x.obj").at(1), "../../x.obj");
-  EXPECT_THAT(PathsFor("a", "/x.obj"), testing::ElementsAre("/x.obj"));
+  EXPECT_THAT(PathsFor("/a/b", "/x.obj"),
+              testing::ElementsAre("/x.obj", "/a/b/x.obj", "/a/x.obj", "/x.obj"));
 }
 
 TEST(AssetLibrary, AssetsOfAFolderAboveAreFound) {
