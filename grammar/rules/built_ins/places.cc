@@ -14,7 +14,8 @@ Value Size(Values, const Situation& situation) {
   constexpr double kLevel = 0.70710678118654752;  // elevation of 45 deg, as for :up (errata 10)
   const bool lies = IsFlat(item.type) && std::abs(item.scope.z.y) >= kLevel - 1e-9;
   const bool has_depth = item.scope.size.z > 0;
-  return item.scope.size[kAxis == 2 && lies && !has_depth ? 1 : kAxis];
+  const int axis = lies && !has_depth ? std::min(kAxis, 1) : kAxis;
+  return item.scope.size[axis];
 }
 
 /// From the lot's origin, along the world's axes.
