@@ -5,16 +5,17 @@
 #include <filesystem>
 
 #include "base/text_file.h"
+#include "tests/support/program.h"
 
 namespace parti::app {
 namespace {
 
 class AcknowledgementLogTest : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove(path_); }
-  void TearDown() override { std::filesystem::remove(path_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path_ = ::testing::TempDir() + "parti-acknowledged";
+  const std::string folder_ = tests::TestFolder();
+  const std::string path_ = folder_ + "/acknowledged";
 };
 
 SessionSnapshot Acknowledged(uint64_t number) {

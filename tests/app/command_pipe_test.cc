@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/program.h"
+
 namespace parti::app {
 namespace {
 
@@ -15,12 +17,8 @@ using ::testing::SizeIs;
 
 class CommandPipeTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    path_ = ::testing::TempDir() + "parti-command-pipe";
-    std::filesystem::remove(path_);
-    ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
+  void SetUp() override { ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void Write(const std::string& text) const { std::ofstream(path_) << text; }
 
@@ -29,7 +27,8 @@ class CommandPipeTest : public ::testing::Test {
     return ::poll(&waited, 1, 0) == 1;
   }
 
-  std::string path_;
+  const std::string folder_ = tests::TestFolder();
+  const std::string path_ = folder_ + "/pipe";
 };
 
 TEST_F(CommandPipeTest, LinesBecomeCommandsInOrderWhateverTheyCameIn) {

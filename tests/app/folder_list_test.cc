@@ -9,13 +9,13 @@
 #include "app/document_lock.h"
 #include "app/recent_files.h"
 #include "base/text_file.h"
+#include "tests/support/program.h"
 
 namespace parti::app {
 namespace {
 
 TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
-  const std::string folder = testing::TempDir() + "folder_list";
-  std::filesystem::remove_all(folder);
+  const std::string folder = tests::TestFolder();
   std::filesystem::create_directories(folder + "/zoo");
   for (const char* name : {"b.parti", "A.pen", "c.cga", "d.txt", ".e.parti"}) {
     ASSERT_TRUE(WriteFile(folder + "/" + name, ""));
@@ -30,8 +30,7 @@ TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
 }
 
 TEST(FolderListTest, RecentFilesComeFirst) {
-  const std::string folder = testing::TempDir() + "folder_list_recent";
-  std::filesystem::remove_all(folder);
+  const std::string folder = tests::TestFolder();
   NoteRecentFile(folder, "/a/old.parti");
   NoteRecentFile(folder, "/a/new.parti");
   EXPECT_EQ(ListOf({folder}, {folder, folder}).recent,
@@ -42,7 +41,6 @@ TEST(FolderListTest, RecentFilesComeFirst) {
 class LeftDrafts : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::remove_all(folder_);
     for (std::string* path : {&older_, &newer_}) {
       *path = NewDraftPath(folder_).value_or("");
       ASSERT_TRUE(WriteFile(*path, "a drawing"));
@@ -54,7 +52,7 @@ class LeftDrafts : public ::testing::Test {
   PanelFiles List(std::vector<std::string> throw_away = {}) {
     return ListOf({folder_, std::move(throw_away)}, {folder_, folder_});
   }
-  const std::string folder_ = testing::TempDir() + "folder_list_drafts";
+  const std::string folder_ = tests::TestFolder();
   std::string older_, newer_;
 };
 
