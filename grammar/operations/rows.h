@@ -6,8 +6,8 @@
 
 namespace parti::grammar {
 
-extern const Operation kExtrude, kExtrudeAlong, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol, kColor, kLayers,
-    kSegment, kVectorial, kSetProperty;
+extern const Operation kExtrude, kExtrudeAlong, kSplit, kRepeat, kComp, kOffset, kTag, kSymbol,
+    kColor, kLayers, kSegment, kVectorial, kSetProperty;
 extern const Operation kRoofHip, kRoofGable, kRoofPyramid, kRoofShed, kTaper;
 extern const Operation kSetback, kShapeL, kShapeU, kShapeO, kInnerRectangle;
 extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, kCube, kSphere,
