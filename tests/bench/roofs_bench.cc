@@ -1,5 +1,5 @@
-// Roofs and offsets over the outlines that issue 4 names: milliseconds per shape, all operations of
-// grammar/roof.h and polygon.h's Offset.
+// Roofs and offsets over random, jittered and real outlines: milliseconds per shape, all operations
+// of grammar/roof.h and polygon.h's Offset.
 #include <benchmark/benchmark.h>
 
 #include "grammar/inner_rectangle.h"

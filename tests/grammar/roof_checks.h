@@ -11,7 +11,7 @@
 
 namespace parti::grammar::tests {
 
-/// Faces may leave their planes by this, and areas differ by this share (issue 4: 0.1 %).
+/// Faces may leave their planes by this, and areas differ by this share (0.1 %).
 inline constexpr double kFlatWithin_m = 1e-4;
 inline constexpr double kAreaWithin = 1e-3;
 

@@ -1,9 +1,11 @@
-// The measure of issue 4: roofs and offsets on random, jittered and real outlines, all of them
+// Roofs and offsets on random, jittered and real outlines, all of them
 // right. Prints one line per class. Times are of the processor, so that other programs don't count;
-// they are printed, not asserted (tests/bench/roofs_bench.cc measures them).
+// they are printed, not asserted (tests/bench/roofs_bench.cc measures them). PARTI_OUTLINES=20
+// tries twenty times as many random outlines.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <functional>
@@ -17,6 +19,12 @@
 
 namespace parti::grammar::tests {
 namespace {
+
+/// Seeds of a class that has `usual` of them by default.
+uint64_t Seeds(uint64_t usual) {
+  const char* times = std::getenv("PARTI_OUTLINES");
+  return usual * (times != nullptr ? std::max(1UL, std::strtoul(times, nullptr, 10)) : 1);
+}
 
 /// What happened to the outlines of one class.
 class Tally {
@@ -104,7 +112,7 @@ TEST(RoofMeasure, RandomPolygons) {
   for (const int corners : {12, 24}) {
     Tally stars(fmt::format("{}-gons, stars", corners));
     Tally tangles(fmt::format("{}-gons, tangles", corners));
-    for (uint64_t seed = 0; seed < 200; ++seed) {
+    for (uint64_t seed = 0; seed < Seeds(200); ++seed) {
       Random random(seed);
       stars.Add({RandomStar(corners, &random), {}});
       tangles.Add({RandomTangle(corners, &random), {}});
@@ -124,7 +132,7 @@ TEST(RoofMeasure, LettersAsSurveysLeaveThem) {
         Survey{"8 points, 5 cm", 8, 0.05, 100}, Survey{"8 points, 0.1 mm", 8, 1e-4, 20}}) {
     for (const auto& [letter, name] : kLetters) {
       Tally tally(fmt::format("{}, {}", name, survey.name));
-      for (uint64_t seed = 0; seed < survey.outlines; ++seed) {
+      for (uint64_t seed = 0; seed < Seeds(survey.outlines); ++seed) {
         Random random(seed);
         const double turn = seed % 2 == 0 ? 0 : random.Uniform(0, 360);
         const Ring ring = Turned(LetterRing(letter, &random), turn);
@@ -136,7 +144,7 @@ TEST(RoofMeasure, LettersAsSurveysLeaveThem) {
 
 TEST(RoofMeasure, Courtyards) {
   Tally tally("courtyards");
-  for (uint64_t seed = 0; seed < 200; ++seed) {
+  for (uint64_t seed = 0; seed < Seeds(200); ++seed) {
     Random random(seed);
     Polygon polygon = seed % 2 == 0 ? Skyline(&random) : StarPolygon(&random);
     if (polygon.holes.empty()) continue;
