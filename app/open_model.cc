@@ -80,6 +80,7 @@ tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& optio
   if (!source) return Failed({source.error()});
   auto rules = ReadRules(options.file, &*source);
   if (!rules) return Failed(std::move(rules.error()));
+  ReportSkipped(*rules);
   if (const auto allowed = AllowedSets(*rules, source->settings); !allowed) {
     return Failed({allowed.error()});
   }
@@ -132,6 +133,10 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
   return Failed({Error{ErrorCode::kBadArguments,
                        fmt::format("{} is for texts: a document has its own", extra),
                        "leave it out, or give a .cga text"}});
+}
+
+void ReportSkipped(const grammar::RuleSet& rules) {
+  for (const std::string& what : rules.skipped) fmt::print(stderr, "parti: skipped {}\n", what);
 }
 
 int ReportAll(const std::vector<Error>& errors) {

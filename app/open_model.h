@@ -37,11 +37,15 @@ struct OpenedModel {
   std::optional<Camera> view;  ///< that a document was saved with
 };
 
+/// What --skip-unknown left out of a text is said on stderr.
 /// errors  those of OpenDocument, ReadRules, GroundOf and Derived, all that were found;
 ///         kBadArguments  options of a text given for a document, which has its own; a --set that
 ///         is not NAME=VALUE.
 tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options,
                                                         const grammar::RuleThreads& threads = {});
+
+/// Says on stderr what was unknown and became nothing.
+void ReportSkipped(const grammar::RuleSet& rules);
 
 /// Prints each; returns kFailed.
 int ReportAll(const std::vector<Error>& errors);

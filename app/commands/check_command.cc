@@ -30,7 +30,7 @@ int RunCheck(const CheckOptions& options) {
   const auto rules = grammar::ParseRules(
       *text, options.file, {FileImporter(), options.style, options.skip_unknown, options.start});
   if (!rules) return ReportAll(rules.error());
-  for (const std::string& what : rules->skipped) fmt::print(stderr, "parti: skipped {}\n", what);
+  ReportSkipped(*rules);
   if (rules->rules.empty() && rules->trees.empty()) {
     return Report({ErrorCode::kNothingMade,
                    fmt::format("'{}' has neither rules nor trees", options.file),

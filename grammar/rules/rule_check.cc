@@ -223,9 +223,10 @@ void RuleChecker::CheckTerminals() {
     }
     const auto meant = DidYouMean(name, near);
     if (!meant) continue;
-    Report(terminal.range, ErrorCode::kUnknownName,
-           fmt::format("there is no rule '{}', and none uses '{}'", name, *meant),
-           fmt::format("did you mean '{}'?", *meant));
+    // It may be meant, above all where what was skipped used the rule.
+    ReportUnknown(terminal.range, fmt::format("rule '{}'", name),
+                  fmt::format("did you mean '{}'? No rule uses it", *meant),
+                  /*can_be_skipped=*/true);
   }
 }
 

@@ -56,6 +56,21 @@ size_t Selected(const std::string& file, const std::string& query,
   return Lines(RunParti(options).output).size();
 }
 
+TEST(DeriveCommand, SaysWhatItSkipped) {
+  const std::string house = File("Lot --> envelope(3) extrude(3) envelope(1)\n");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"derive", house, "--start", "Lot"},
+        {"query", house, ".Lot", "--start", "Lot"},
+        {"export", house, tests::TestFolder() + "/house.obj", "--start", "Lot"}}) {
+    EXPECT_EQ(RunParti(arguments).status, 1) << arguments[0];
+    std::vector<std::string> skipping = arguments;
+    skipping.emplace_back("--skip-unknown");
+    const ProgramRun run = RunParti(skipping);
+    EXPECT_EQ(run.status, 0) << arguments[0] << run.errors;
+    EXPECT_THAT(run.errors, HasSubstr("parti: skipped operation 'envelope', 2 places\n"));
+  }
+}
+
 TEST(DeriveCommand, SaysWhatItMade) {
   const auto stats = StatsOf({File(kHouse), "--lot", "rect(9,6)"});
   for (const char* key : {"shapes", "terminals", "triangles", "derive_ms", "normalise_ms",

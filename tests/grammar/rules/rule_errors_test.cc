@@ -87,6 +87,20 @@ TEST(RuleErrors, ATerminalThatLooksLikeAUsedRuleIsATerminal) {
               IsEmpty());
 }
 
+TEST(RuleErrors, ANameLikeThatOfARuleIsLeftAloneWhenSkipping) {
+  const std::string text = "M --> trim() { Wall }\nWall --> Wal";
+  RuleOptions skip;
+  skip.skip_unknown = true;
+  const auto rules = ParseRules(text, "a.cga", skip);
+  ASSERT_TRUE(rules.has_value());
+  // What used Wall is gone from what is written, so that Wal could be meant to be Wall.
+  const std::string written = TextOf(*rules);
+  EXPECT_THAT(ErrorOf(written), HasSubstr("did you mean 'Wall'?"));
+  const auto again = ParseRules(written, "b.cga", skip);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_TRUE(*again == *rules);
+}
+
 TEST(RuleErrors, ArgumentsAreHeldAgainstTheOperationTable) {
   EXPECT_THAT(ErrorOf("A --> extrude(1e9)"), HasSubstr("distance is 1e+09"));
   EXPECT_THAT(ErrorOf("A --> extrude(\"high\")"),
