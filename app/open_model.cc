@@ -11,15 +11,16 @@ namespace {
 
 using Failed = tl::unexpected<std::vector<Error>>;
 
-tl::expected<OpenedModel, std::vector<Error>> FromDocument(const std::string& path) {
+tl::expected<OpenedModel, std::vector<Error>> FromDocument(const std::string& path,
+                                                           const grammar::RuleThreads& threads) {
   const auto document = OpenDocument(path);
   if (!document) return Failed({document.error()});
   const SessionRecord& present = PresentOf(*document);
-  auto ground = WithRoots(present.ground);
+  auto ground = WithRoots(present.ground, nullptr, threads);
   if (!ground) return Failed({ground.error()});
   auto model = Derived(std::move(*ground), present.rules, nullptr, grammar::Unfit::kSkip);
   if (!model) return Failed({model.error()});
-  return OpenedModel{std::move(*model), present.camera};
+  return OpenedModel{std::move(*model), present.camera, {}};
 }
 
 /// The first option that only a text can have; "" none.
@@ -95,7 +96,16 @@ tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& optio
   if (!ground) return Failed({ground.error()});
   auto model = Derived(std::move(*ground), std::move(trees), nullptr);
   if (!model) return Failed({model.error()});
-  return OpenedModel{std::move(*model), std::nullopt};
+  return OpenedModel{std::move(*model), std::nullopt, {}};
+}
+
+void ShowPrints(const std::vector<grammar::LotNotes>& notes) {
+  for (size_t lot = 0; lot < notes.size(); ++lot) {
+    const std::string which = notes.size() > 1 ? fmt::format("lot-{}: ", lot) : "";
+    for (const std::string& line : notes[lot].prints) fmt::print(stderr, "{}{}\n", which, line);
+    if (notes[lot].more_prints == 0) continue;
+    fmt::print(stderr, "{}parti: {} more lines were printed\n", which, notes[lot].more_prints);
+  }
 }
 
 }  // namespace
@@ -127,12 +137,19 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
                                                         const grammar::RuleThreads& threads) {
   grammar::RuleThreads chosen = threads;
   chosen.count = options.threads;
-  if (!LooksLikeDocument(options.file)) return FromText(options, chosen);
-  const std::string extra = OptionOfTexts(options);
-  if (extra.empty()) return FromDocument(options.file);
-  return Failed({Error{ErrorCode::kBadArguments,
-                       fmt::format("{} is for texts: a document has its own", extra),
-                       "leave it out, or give a .cga text"}});
+  std::vector<grammar::LotNotes> notes;
+  chosen.notes = &notes;
+  const bool is_document = LooksLikeDocument(options.file);
+  const std::string extra = is_document ? OptionOfTexts(options) : "";
+  if (!extra.empty()) {
+    return Failed({Error{ErrorCode::kBadArguments,
+                         fmt::format("{} is for texts: a document has its own", extra),
+                         "leave it out, or give a .cga text"}});
+  }
+  auto opened = is_document ? FromDocument(options.file, chosen) : FromText(options, chosen);
+  ShowPrints(notes);
+  if (opened) opened->notes = std::move(notes);
+  return opened;
 }
 
 void ReportSkipped(const grammar::RuleSet& rules) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/session_state.h"
+#include "grammar/rules/rule_notes.h"
 
 namespace parti::app {
 
@@ -34,10 +35,12 @@ void AddModelOptions(CLI::App* command, ModelOptions* options);
 /// A model, and how it was last looked at.
 struct OpenedModel {
   Model model;
-  std::optional<Camera> view;  ///< that a document was saved with
+  std::optional<Camera> view;            ///< that a document was saved with
+  std::vector<grammar::LotNotes> notes;  ///< what rules report and print, one for each lot
 };
 
-/// What --skip-unknown left out of a text is said on stderr.
+/// What --skip-unknown left out of a text is said on stderr, and then what rules print, also where
+/// they fail after it.
 /// errors  those of OpenDocument, ReadRules, GroundOf and Derived, all that were found;
 ///         kBadArguments  options of a text given for a document, which has its own; a --set that
 ///         is not NAME=VALUE.

@@ -50,12 +50,13 @@ Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
 }
 
 Result<std::shared_ptr<const Ground>> WithRoots(std::shared_ptr<const Ground> ground,
-                                                const Model* nearby) {
+                                                const Model* nearby,
+                                                const grammar::RuleThreads& threads) {
   if (ground->roots.size() == ground->lots.size()) return ground;
   if (nearby != nullptr && nearby->ground->underived == ground) return nearby->ground;
   const auto rules = RulesOf(*ground->source);
   if (!rules) return tl::unexpected<Error>(rules.error().front());
-  auto made = GroundOf(ground->lots, ground->source, *rules);
+  auto made = GroundOf(ground->lots, ground->source, *rules, threads);
   if (!made) return Fail(made);
   Ground rooted = **made;
   rooted.underived = std::move(ground);

@@ -72,7 +72,8 @@ Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
 /// The ground with its roots: itself where it has them; that of `nearby` (may be null) where that
 /// is the same ground; else derived anew. errors  as GroundOf's.
 Result<std::shared_ptr<const Ground>> WithRoots(std::shared_ptr<const Ground> ground,
-                                                const Model* nearby = nullptr);
+                                                const Model* nearby = nullptr,
+                                                const grammar::RuleThreads& threads = {});
 
 /// A model on these lots.
 /// errors  those of grammar::Derive; the message names the lot where there are several.

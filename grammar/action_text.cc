@@ -124,6 +124,8 @@ std::optional<Argument> ArgumentFrom(const Written& written, const Parameter& pa
       if (written.token.text == "true") return Argument(true);
       if (written.token.text == "false") return Argument(false);
       return std::nullopt;
+    case ParameterKind::kValue:
+      return std::nullopt;  // of operations that trees don't have
     case ParameterKind::kSize:
       if (!written.size) return std::nullopt;
       if (written.size->kind == Size::Kind::kFloating && !TakesFloating(parameter)) {
@@ -241,6 +243,11 @@ class ActionReader {
                     "split(y) { ~3: Floor }*");
     }
     auto row = OperationNamed(name.text);
+    if (row && (*row)->notes) {
+      return FailAt(*lexer_, name, ErrorCode::kBadArguments,
+                    fmt::format("{} stands in rules only", name.text),
+                    "what a tree selects is told by parti query");
+    }
     if (row) return row;
     Error error = lexer_->Located(row.error(), name.offset, name.end());
     if (!lexer_->At('(')) {

@@ -78,7 +78,9 @@ std::span<const Operation> Operations() {
                                    kRotateUv,
                                    kNormalizeUv,
                                    kDeleteUv,
-                                   kScatter};
+                                   kScatter,
+                                   kReport,
+                                   kPrint};
   return rows;
 }
 

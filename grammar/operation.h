@@ -17,7 +17,8 @@ namespace parti::grammar {
 /// Parameter::words where there are some; kColor is "#rrggbb" or a name in quotes (std::string;
 /// color_text.h); kWord is a bare word, one of Parameter::words, dots and all (std::string): comp's
 /// f, scope.xy; kBool is true or false (bool); kSize is a length, absolute or relative to a size of
-/// the item's scope: 3 or '0.5 (Size, never floating; low and high bound the metres).
+/// the item's scope: 3 or '0.5 (Size, never floating; low and high bound the metres); kValue is a
+/// number, true or false, or a text (double, bool, std::string), whatever it is.
 enum class ParameterKind : uint8_t {
   kLength,
   kAngle,
@@ -27,7 +28,8 @@ enum class ParameterKind : uint8_t {
   kColor,
   kWord,
   kBool,
-  kSize
+  kSize,
+  kValue
 };
 
 /// What an operation wants to be told: one argument of it. Those that are not required may be left
@@ -72,6 +74,8 @@ struct Operation {
   bool sampled = true;  ///< whether Samples spreads it: what a sketch may mean
   int file = -1;        ///< the parameter that names a file, which Action::asset then brings; -1
   std::string_view written = {};  ///< rules write it so, where not by its name; see Written
+  bool notes = false;  ///< leaves the shape alone, and tells whoever derives something of it:
+                       ///< report, print. Rules have it, trees don't (rules/rule_notes.h)
 
   /// Pure. Rows that change in place give the item itself, changed as far as an item can be
   /// (color); tag and symbol are the driver's to set on the shape. Products in creation order. An

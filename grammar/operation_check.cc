@@ -225,6 +225,8 @@ std::string_view Wanted(ParameterKind kind) {
       return "a word";
     case ParameterKind::kBool:
       return "true or false";
+    case ParameterKind::kValue:
+      return "a number, true or false, or a text in quotes";
     case ParameterKind::kSize:
       break;
   }
@@ -245,6 +247,10 @@ Result<void> CheckArgument(const Operation& row, const Parameter& parameter,
   }
   if (kind == ParameterKind::kAxis && std::holds_alternative<Axis>(argument)) return {};
   if (kind == ParameterKind::kBool && std::holds_alternative<bool>(argument)) return {};
+  const bool is_value = std::holds_alternative<double>(argument) ||
+                        std::holds_alternative<bool>(argument) ||
+                        std::holds_alternative<std::string>(argument);
+  if (kind == ParameterKind::kValue && is_value) return {};
   return Fail(ErrorCode::kBadArguments,
               fmt::format("{}: {} is of another kind", row.name, parameter.name),
               fmt::format("give {}", Wanted(kind)));

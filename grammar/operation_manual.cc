@@ -38,6 +38,8 @@ std::string RangeText(const Parameter& p) {
       return fmt::format("{}", fmt::join(p.words, ", "));
     case ParameterKind::kBool:
       return "true or false";
+    case ParameterKind::kValue:
+      return "a number, true or false, or a text";
     case ParameterKind::kSize:
       return fmt::format("{:g} to {:g} m, or a part as '0.5", p.low, p.high);
   }

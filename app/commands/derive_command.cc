@@ -13,6 +13,7 @@
 #include "app/open_model.h"
 #include "app/output.h"
 #include "app/picture.h"
+#include "app/report_file.h"
 
 namespace parti::app {
 namespace {
@@ -22,6 +23,7 @@ struct Options {
   std::vector<std::string> exports;
   std::string png;
   std::string save;
+  std::string reports;
   bool stats = false;
 };
 
@@ -40,7 +42,8 @@ Result<void> Save(const Model& model, const std::string& path) {
   return SaveDocument(document, path);
 }
 
-Result<void> WriteAll(const Options& options, const Model& model) {
+Result<void> WriteAll(const Options& options, const OpenedModel& opened) {
+  const Model& model = opened.model;
   for (const std::string& path : options.exports) {
     if (const auto done = ExportModel(model, std::nullopt, path); !done) return done;
   }
@@ -49,6 +52,9 @@ Result<void> WriteAll(const Options& options, const Model& model) {
     state.model = model;
     state.camera = AutoViewOf(model, kPictureSize_px);
     if (const auto done = WritePicture(state, options.png); !done) return done;
+  }
+  if (!options.reports.empty()) {
+    if (const auto done = WriteReports(opened.notes, options.reports); !done) return done;
   }
   return options.save.empty() ? Result<void>() : Save(model, options.save);
 }
@@ -63,7 +69,8 @@ struct Times {
   double derive_s = 0, normalise_s = 0, export_s = 0;
 };
 
-void PrintStats(const Model& model, const Times& times) {
+void PrintStats(const OpenedModel& opened, const Times& times) {
+  const Model& model = opened.model;
   const uint64_t peak_bytes = PeakBytes();  // before triangles are made to be counted
   size_t shapes = 0, terminals = 0, triangles = 0;
   std::vector<const grammar::ShapeTree*> trees;
@@ -73,14 +80,17 @@ void PrintStats(const Model& model, const Times& times) {
     terminals += derivation->tree.Leaves().size();
   }
   for (const ModelPart& part : ModelMeshFrom(trees).parts) triangles += part.corners.size() / 3;
-  fmt::print("{}\n", nlohmann::ordered_json{{"shapes", shapes},
-                                            {"terminals", terminals},
-                                            {"triangles", triangles},
-                                            {"derive_ms", 1e3 * times.derive_s},
-                                            {"normalise_ms", 1e3 * times.normalise_s},
-                                            {"export_ms", 1e3 * times.export_s},
-                                            {"peak_bytes", peak_bytes}}
-                         .dump());
+  nlohmann::ordered_json stats{{"shapes", shapes},
+                               {"terminals", terminals},
+                               {"triangles", triangles},
+                               {"derive_ms", 1e3 * times.derive_s},
+                               {"normalise_ms", 1e3 * times.normalise_s},
+                               {"export_ms", 1e3 * times.export_s},
+                               {"peak_bytes", peak_bytes}};
+  if (nlohmann::ordered_json reports = JsonOf(opened.notes); !reports.empty()) {
+    stats["reports"] = std::move(reports);
+  }
+  fmt::print("{}\n", TextOf(stats));
 }
 
 int Derive(const Options& options) {
@@ -92,10 +102,10 @@ int Derive(const Options& options) {
   const double derived = Now();
   times.derive_s = derived - start;
   times.normalise_s = normalise_s;
-  const auto done = WriteAll(options, opened->model);
+  const auto done = WriteAll(options, *opened);
   times.export_s = Now() - derived;
   if (!done) return Report(done.error());
-  if (options.stats) PrintStats(opened->model, times);
+  if (options.stats) PrintStats(*opened, times);
   return kDone;
 }
 
@@ -115,6 +125,10 @@ void AddDeriveCommand(CLI::App& app, Run* run) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--png", options->png, "a picture to write");
   command->add_option("--save", options->save, "a .parti document to write");
+  command
+      ->add_option("--reports", options->reports,
+                   "what rules report, as a table: " + ReportEndings())
+      ->check([](const std::string& path) { return ReportEndingError(path); });
   command->add_flag("--stats", options->stats, "one JSON object on standard output");
   command->callback([=] { *run = [=] { return Derive(*options); }; });
 }

@@ -26,7 +26,8 @@ std::string FunctionsManual() {
       "[language.md](language.md) says how values are written. Angles are degrees, lengths "
       "metres.\n\n| function | gives | what |\n| --- | --- | --- |\n";
   for (const BuiltIn& row : BuiltIns()) {
-    text += fmt::format("| `{}` | {} | {} |\n", FormText(row), NameOf(row.result), row.doc);
+    text += fmt::format("| `{}` | {} | {} |\n", FormText(row),
+                        row.prints ? "the same" : NameOf(row.result), row.doc);
   }
   return text;
 }

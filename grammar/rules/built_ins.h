@@ -28,6 +28,7 @@ struct BuiltIn {
   Value (*evaluate)(std::span<const Value> operands, const Situation& situation);
   /// Texts that may be written as bare words where nothing else has the name: maxSlope, world.up.
   std::span<const std::string_view> words = {};
+  bool prints = false;  ///< its only operand is its result, of that one's type, and is printed
 };
 
 /// All rows, sorted by name, then by the number of operands.

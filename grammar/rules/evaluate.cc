@@ -162,7 +162,11 @@ Value Evaluator::Called(const Expression& expression, const Situation& situation
   values.reserve(expression.operands.size());
   for (const Expression& operand : expression.operands) values.push_back(Of(operand, situation));
   if (failure_) return 0.0;
-  if (expression.kind == Kind::kBuiltIn) return expression.built_in->evaluate(values, situation);
+  if (expression.kind == Kind::kBuiltIn) {
+    const BuiltIn& row = *expression.built_in;
+    if (row.prints && notes_ != nullptr) notes_->Print(expression.range, values[0]);
+    return row.evaluate(values, situation);
+  }
   Situation inside = situation;
   inside.parameters = values;
   return Of(rules_.functions[expression.index].value, inside);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "grammar/rules/conversions.h"
+#include "grammar/rules/rule_notes.h"
 #include "grammar/rules/rule_set.h"
 #include "grammar/rules/situation.h"
 
@@ -26,8 +27,9 @@ inline constexpr int kDeepestEvaluation = 1000;
 /// same situation has the same value; (2) never more than `most_steps` expressions are looked at.
 class Evaluator {
  public:
-  explicit Evaluator(const RuleSet& rules, uint64_t most_steps)
-      : rules_(rules), most_steps_(most_steps) {}
+  /// What expressions print goes to `notes`; null: nowhere.
+  explicit Evaluator(const RuleSet& rules, uint64_t most_steps, NoteBook* notes = nullptr)
+      : rules_(rules), most_steps_(most_steps), notes_(notes) {}
 
   /// The value as a number: what NumberOf makes of it.
   double Number(const Expression& expression, const Situation& situation);
@@ -54,6 +56,7 @@ class Evaluator {
 
   const RuleSet& rules_;
   uint64_t most_steps_;  ///< 0: any number
+  NoteBook* notes_;      ///< may be null
   uint64_t steps_ = 0;
   int depth_ = 0;
   std::optional<Error> failure_;

@@ -27,6 +27,8 @@ Argument ArgumentFrom(const Parameter& parameter, const RuleArgument& argument,
       return TruthOf(value);
     case ParameterKind::kSize:
       return Size{argument.size, NumberOf(value)};
+    case ParameterKind::kValue:
+      return std::visit([](const auto& any) { return Argument(any); }, value);
     case ParameterKind::kText:
     case ParameterKind::kColor:
     case ParameterKind::kWord:

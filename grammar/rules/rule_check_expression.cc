@@ -129,8 +129,9 @@ MaybeType RuleChecker::ResolveCall(const WrittenExpression& written, Expression*
     RefuseName(written);
     return std::nullopt;
   }
+  MaybeType got;
   for (size_t i = 0; i < count; ++i) {
-    MaybeType wanted, got;
+    MaybeType wanted;
     if (own) wanted = functions_[expression->index].parameters[i];
     if (row != nullptr) wanted = row->operands[i];
     if (row != nullptr && IsWordOf(*row, written.operands[i])) {
@@ -142,7 +143,7 @@ MaybeType RuleChecker::ResolveCall(const WrittenExpression& written, Expression*
     if (own && learns_from_calls_) Set(&functions_[expression->index].parameters[i], got);
   }
   if (own) return functions_[expression->index].type;
-  return row->result;
+  return row->prints ? got : row->result;
 }
 
 /// A bare name that stands for itself, as nothing else is called so: maxSlope.
@@ -276,6 +277,9 @@ void RuleChecker::Learn(const Expression& expression, MaybeType type) {
       for (size_t i = 1; i < expression.operands.size(); i += 2)
         Learn(expression.operands[i], type);
       return Learn(expression.operands.back(), type);
+    case Expression::Kind::kBuiltIn:
+      if (expression.built_in->prints) Learn(expression.operands[0], type);
+      return;
     default:
       return;
   }

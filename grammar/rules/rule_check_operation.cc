@@ -95,6 +95,8 @@ MaybeType TypeFor(Kind kind) {
       return ValueType::kNumber;
     case Kind::kBool:
       return ValueType::kBool;
+    case Kind::kValue:
+      return std::nullopt;
     default:
       return ValueType::kText;
   }

@@ -22,17 +22,19 @@ class LotDerivation {
         run_{program,           lot_,          attributes_,         limits_, settings.seed,
              threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}} {}
 
-  /// By the arena's threads, or in order where there is none.
-  Result<ShapeTree> Run(const RuleSettings& settings, RuleArena* arena) {
-    auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_);
+  /// By the arena's threads, or in order where there is none. `notes` may be null.
+  Result<ShapeTree> Run(const RuleSettings& settings, NoteBook* notes, RuleArena* arena) {
+    auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_, notes);
     if (!attributes) return Fail(attributes);
     attributes_ = std::move(*attributes);
     if (run_.now_s != nullptr) run_.until_s = run_.now_s() + limits_.seconds;
     ShapeTree tree = Root();
-    if (arena != nullptr && DeriveAtOnce(run_, &tree, First(), arena)) return tree;
+    NoteBook before = notes != nullptr ? *notes : NoteBook();
+    if (arena != nullptr && DeriveAtOnce(run_, &tree, notes, First(), arena)) return tree;
     // One after the other, failures and limits name the same shape on any number of threads.
     tree = Root();
-    const auto done = DeriveInOrder(run_, &tree, First());
+    if (notes != nullptr) *notes = std::move(before);
+    const auto done = DeriveInOrder(run_, &tree, notes, First());
     if (!done) return Fail(done);
     return tree;
   }
@@ -65,12 +67,13 @@ class LotsDerivation {
         settings_(settings),
         lots_(lots),
         threads_(threads),
-        results_(lots.size()) {}
+        results_(lots.size()),
+        notes_(threads.notes != nullptr ? lots.size() : 0) {}
 
   void RunLot(size_t i, RuleArena* arena) {
     if (i > first_failed_.load(std::memory_order_relaxed)) return;
     LotDerivation lot(program_, settings_, lots_[i], static_cast<uint32_t>(i), threads_);
-    results_[i] = lot.Run(settings_, arena);
+    results_[i] = lot.Run(settings_, notes_.empty() ? nullptr : &notes_[i], arena);
     if (*results_[i]) return;
     size_t first = first_failed_.load();
     while (i < first && !first_failed_.compare_exchange_weak(first, i)) {
@@ -93,6 +96,15 @@ class LotsDerivation {
     arena.Execute([&] { tbb::parallel_for(next, lots_.size(), run); });
   }
 
+  /// Of all lots up to the first that failed.
+  std::vector<LotNotes> TakeNotes() {
+    std::vector<LotNotes> notes;
+    for (size_t i = 0; i < notes_.size() && i <= first_failed_; ++i) {
+      notes.push_back(std::move(notes_[i]).Take(*program_.rules));
+    }
+    return notes;
+  }
+
   Result<std::vector<ShapeTree>> Take() {
     std::vector<ShapeTree> trees;
     for (auto& result : results_) {
@@ -113,6 +125,7 @@ class LotsDerivation {
   std::span<const Item> lots_;
   const RuleThreads& threads_;
   std::vector<std::optional<Result<ShapeTree>>> results_;
+  std::vector<NoteBook> notes_;  ///< of each lot; none where nobody wants them
   std::atomic<size_t> first_failed_ = SIZE_MAX;
 };
 
@@ -129,6 +142,7 @@ Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSetti
   } else {
     all.RunAtOnce(threads.count);
   }
+  if (threads.notes != nullptr) *threads.notes = all.TakeNotes();
   auto trees = all.Take();
   if (!trees) return trees;
   for (const ShapeTree& tree : *trees) {

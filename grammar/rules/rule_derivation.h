@@ -14,6 +14,7 @@
 namespace parti::grammar {
 
 class AssetLibrary;
+struct LotNotes;
 
 /// How much at once, and what is watched meanwhile; nothing of it changes the
 /// result but that files may be read.
@@ -25,6 +26,9 @@ struct RuleThreads {
   std::atomic<double>* normalise_s = nullptr;
   /// Reads what i() and texture() name, relative to the file that says so; null: they fail.
   AssetLibrary* assets = nullptr;
+  /// What rules report and print (rule_notes.h): one for each lot, in their order, or, where one
+  /// fails, up to that; null: none of it is kept.
+  std::vector<LotNotes>* notes = nullptr;
 };
 
 /// One shape tree per lot.
@@ -41,9 +45,9 @@ struct RuleThreads {
 /// deferred, one after the other, each normalised, then all else (errata 1, 9, 9a). Scenes do not
 /// depend on each other, so that each is derived to its end by itself.
 ///
-/// Properties: (1) the same rules, settings and lots give the same trees, to the byte, on any
-/// number of threads; (2) random draws of a shape depend on its path, the seed and the lot's number
-/// only.
+/// Properties: (1) the same rules, settings and lots give the same trees and notes, to the byte, on
+/// any number of threads; (2) random draws of a shape depend on its path, the seed and the lot's
+/// number only.
 ///
 /// errors  those of StartSymbol and AttributesFor;  those of operations, naming rule, operation,
 ///         shape and place, of the first lot that fails;  kLimitReached;  kNothingMade  nothing of

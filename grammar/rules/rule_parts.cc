@@ -22,7 +22,7 @@ constexpr uint32_t kCoarser = 4;
 
 /// What all parts together have used of the lot's limits.
 struct Spent {
-  std::atomic<uint64_t> shapes = 0, steps = 0;
+  std::atomic<uint64_t> shapes = 0, steps = 0, reports = 0;
 
   /// False: more than there is.
   bool Add(uint64_t more_shapes, uint64_t more_steps, const RuleLimits& limits) {
@@ -30,14 +30,23 @@ struct Spent {
     const uint64_t all_steps = steps.fetch_add(more_steps) + more_steps;
     return all_shapes < limits.shapes && (limits.steps == 0 || all_steps <= limits.steps);
   }
+  bool AddReports(uint64_t more) {
+    return more == 0 || reports.fetch_add(more) + more <= kMostReports;
+  }
+};
+
+/// What becomes of a part's first shape.
+struct DerivedPart {
+  ShapeTree tree;
+  NoteBook notes;
 };
 
 /// Part of a lot's tree, or all of it: from a task to everything that comes of it.
 class PartDerivation {
  public:
-  /// Without an arena, in order only.
-  PartDerivation(const LotRun& run, ShapeTree* tree, RuleArena* arena)
-      : run_(run), tree_(tree), arena_(arena), runner_(run, tree) {}
+  /// Without an arena, in order only. `notes` may be null.
+  PartDerivation(const LotRun& run, ShapeTree* tree, NoteBook* notes, RuleArena* arena)
+      : run_(run), tree_(tree), notes_(notes), arena_(arena), runner_(run, tree, notes) {}
 
   /// Depth first, in order, on this thread.
   Result<void> InOrder(RuleTask first) { return Derive(std::move(first), UINT32_MAX); }
@@ -46,6 +55,7 @@ class PartDerivation {
   bool AtOnce(RuleTask first, uint32_t grain, Spent* spent) {
     if (!Derive(std::move(first), grain)) return false;
     if (!spent->Add(tree_->size() - 1, runner_.steps(), run_.limits)) return false;
+    if (notes_ != nullptr && !spent->AddReports(notes_->reports())) return false;
     if (waiting_.empty()) return true;
     bool done = false;
     arena_->Execute([&] { done = DeriveRest(grain * kCoarser, spent); });
@@ -72,10 +82,11 @@ class PartDerivation {
     return tree_->size() >= grain && waiting_.size() > 1 && AreRuleWorkersReady();
   }
 
-  /// Each task in a tree of its own; then all in order into this one.
+  /// Each task in a tree of its own; then all in order into this one. Their notes come after what
+  /// has been noted so far, as their tasks come after those that have run.
   bool DeriveRest(uint32_t grain, Spent* spent) {
     std::reverse(waiting_.begin(), waiting_.end());
-    std::vector<std::optional<ShapeTree>> parts(waiting_.size());
+    std::vector<std::optional<DerivedPart>> parts(waiting_.size());
     std::atomic<bool> has_failed = false;
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, waiting_.size()),
@@ -91,24 +102,28 @@ class PartDerivation {
     std::vector<ShapeTree::Part> all;
     all.reserve(parts.size());
     for (size_t i = 0; i < parts.size(); ++i) {
-      all.push_back({waiting_[i].shape, std::move(*parts[i])});
+      all.push_back({waiting_[i].shape, std::move(parts[i]->tree)});
+      if (notes_ != nullptr) notes_->Append(std::move(parts[i]->notes));
     }
     tree_->Splice(std::move(all));
     return true;
   }
 
-  std::optional<ShapeTree> DerivePart(RuleTask task, uint32_t grain, Spent* spent) const {
+  std::optional<DerivedPart> DerivePart(RuleTask task, uint32_t grain, Spent* spent) const {
     const Shape& shape = (*tree_)[task.shape];
-    ShapeTree part(shape.item, shape.symbol, *tree_);
-    part.SetMade(0, shape.symbol, shape.operation);
-    for (const NameId tag : shape.tags) part.AddTag(0, tag);
+    DerivedPart part{ShapeTree(shape.item, shape.symbol, *tree_), {}};
+    part.tree.SetMade(0, shape.symbol, shape.operation);
+    for (const NameId tag : shape.tags) part.tree.AddTag(0, tag);
     task.shape = 0;
-    if (!PartDerivation(run_, &part, arena_).AtOnce(std::move(task), grain, spent)) return {};
+    NoteBook* notes = notes_ != nullptr ? &part.notes : nullptr;
+    PartDerivation derivation(run_, &part.tree, notes, arena_);
+    if (!derivation.AtOnce(std::move(task), grain, spent)) return {};
     return part;
   }
 
   const LotRun& run_;
   ShapeTree* tree_;
+  NoteBook* notes_;
   RuleArena* arena_;
   RuleRunner runner_;
   std::vector<RuleTask> waiting_;  ///< the last one is the next
@@ -116,13 +131,14 @@ class PartDerivation {
 
 }  // namespace
 
-Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, RuleTask first) {
-  return PartDerivation(run, tree, nullptr).InOrder(std::move(first));
+Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, NoteBook* notes, RuleTask first) {
+  return PartDerivation(run, tree, notes, nullptr).InOrder(std::move(first));
 }
 
-bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first, RuleArena* arena) {
+bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, NoteBook* notes, RuleTask first,
+                  RuleArena* arena) {
   Spent spent;
-  return PartDerivation(run, tree, arena).AtOnce(std::move(first), kGrain, &spent);
+  return PartDerivation(run, tree, notes, arena).AtOnce(std::move(first), kGrain, &spent);
 }
 
 }  // namespace parti::grammar

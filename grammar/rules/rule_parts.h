@@ -9,13 +9,15 @@ namespace parti::grammar {
 
 class RuleArena;
 
-/// Depth first, on this thread. errors  those of RunWithScene.
-Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, RuleTask first);
+/// Depth first, on this thread. What is reported and printed goes to `notes`, which may be null; it
+/// stays there where something fails. errors  those of RunWithScene.
+Result<void> DeriveInOrder(const LotRun& run, ShapeTree* tree, NoteBook* notes, RuleTask first);
 
-/// The same tree, to the byte, with the help of the arena's threads: what still waits after some
-/// hundred shapes, and when there is help, is shared out, each shape with a tree of its own, and so
-/// again in these. False where something failed or more was made than the limits allow; what to say
-/// of it only the order tells, and the tree is of no use.
-bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, RuleTask first, RuleArena* arena);
+/// The same tree and notes, to the byte, with the help of the arena's threads: what still waits
+/// after some hundred shapes, and when there is help, is shared out, each shape with a tree of its
+/// own, and so again in these. False where something failed or more was made than the limits allow;
+/// what to say of it only the order tells, and tree and notes are of no use.
+bool DeriveAtOnce(const LotRun& run, ShapeTree* tree, NoteBook* notes, RuleTask first,
+                  RuleArena* arena);
 
 }  // namespace parti::grammar

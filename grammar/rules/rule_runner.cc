@@ -17,8 +17,16 @@ constexpr uint32_t kTasksPerLook = 64;
 
 constexpr std::string_view kTagName = "tag";
 constexpr std::string_view kSymbolName = "symbol";
+constexpr std::string_view kPrintName = "print";
 
 bool IsName(const Operation& row) { return row.name == kTagName || row.name == kSymbolName; }
+
+/// Of ParameterKind::kValue.
+Value ValueOf(const Argument& argument) {
+  if (const double* number = std::get_if<double>(&argument)) return *number;
+  if (const bool* yes = std::get_if<bool>(&argument)) return *yes;
+  return std::get<std::string>(argument);
+}
 
 Error WrongType(const Operation& row, ItemType type) {
   return {ErrorCode::kWrongItemType,
@@ -239,8 +247,10 @@ Result<std::vector<Product>> RuleRunner::Applied(const StepPlan& step, BodyRun* 
   }
   const auto action = actions_.Computed(step, SituationOf(*run), &evaluator_);
   if (!action) return Failed(action.error(), *run, step.statement->range);
-  if (IsName(row)) {
-    Name(**action, run);
+  if (row.notes || IsName(row)) {
+    const auto noted = row.notes ? Note(**action, *step.statement, *run) : Result<void>();
+    if (!noted) return Fail(noted);
+    if (!row.notes) Name(**action, run);
     std::vector<Product> same(1);
     same.front().item = item;
     return same;
@@ -272,6 +282,23 @@ void RuleRunner::Name(const Action& action, BodyRun* run) {
   } else {
     tree_->SetSymbol(run->shape, name);
   }
+}
+
+/// report and print, where somebody wants to know.
+Result<void> RuleRunner::Note(const Action& action, const Statement& statement,
+                              const BodyRun& run) {
+  if (notes_ == nullptr) return {};
+  if (action.operation->name == kPrintName) {
+    notes_->Print(statement.range, ValueOf(action.arguments[0]));
+    return {};
+  }
+  if (notes_->Report(std::get<std::string>(action.arguments[0]), ValueOf(action.arguments[1]))) {
+    return {};
+  }
+  return Failed(
+      {ErrorCode::kLimitReached, fmt::format("more than {} reports", kMostReports),
+       "report what parts have in common once, of the shape that they are parts of", std::nullopt},
+      run, statement.range);
 }
 
 Result<void> RuleRunner::Set(const StepPlan& step, BodyRun* run) {

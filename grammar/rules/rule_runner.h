@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "grammar/rules/evaluate.h"
 #include "grammar/rules/recipe_actions.h"
+#include "grammar/rules/rule_notes.h"
 #include "grammar/rules/rule_settings.h"
 #include "grammar/rules/rule_task.h"
 
@@ -80,15 +81,17 @@ struct LeftTasks {
 /// but for the numbers of shapes.
 class RuleRunner {
  public:
-  RuleRunner(const LotRun& lot, ShapeTree* tree)
+  /// `notes` gets what is reported and printed; may be null.
+  RuleRunner(const LotRun& lot, ShapeTree* tree, NoteBook* notes)
       : lot_(lot),
         tree_(tree),
-        evaluator_(*lot.program.rules, lot.limits.steps),
+        notes_(notes),
+        evaluator_(*lot.program.rules, lot.limits.steps, notes),
         actions_(lot.program) {}
 
   /// Runs a task's body; what is left to be done is added to *left.
   /// errors  those of operations, and kWrongItemType, naming rule, shape and place;  kLimitReached
-  ///         depth, shapes, steps or time, likewise; cancelled.
+  ///         depth, shapes, reports, steps or time, likewise; cancelled.
   Result<void> Run(RuleTask task, LeftTasks* left);
 
   ShapeTree& tree() { return *tree_; }                   ///< that is being derived
@@ -110,6 +113,7 @@ class RuleRunner {
                     Inheritance inherited, BodyRun* run);
   Result<void> Set(const StepPlan& step, BodyRun* run);
   void Name(const Action& action, BodyRun* run);
+  Result<void> Note(const Action& action, const Statement& statement, const BodyRun& run);
   Result<void> Emit(const StepPlan& step, BodyRun* run);
   Result<void> GoOnBelow(size_t at, size_t to, BodyRun* run);
   RuleTask Rest(size_t at, size_t to, const BodyRun& run) const;
@@ -127,6 +131,7 @@ class RuleRunner {
 
   const LotRun& lot_;
   ShapeTree* tree_;
+  NoteBook* notes_;
   Evaluator evaluator_;
   RecipeActions actions_;
   LeftTasks* left_ = nullptr;

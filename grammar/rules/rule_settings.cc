@@ -63,9 +63,10 @@ Result<size_t> AttributeNamed(const RuleSet& rules, const std::string& name) {
 /// Computes each attribute when it is first needed: after those that its expression names.
 class Attributes {
  public:
-  Attributes(const RuleSet& rules, const RuleSettings& settings, const Item& lot, uint64_t path)
+  Attributes(const RuleSet& rules, const RuleSettings& settings, const Item& lot, uint64_t path,
+             NoteBook* notes)
       : rules_(rules),
-        evaluator_(rules, settings.limits.steps),
+        evaluator_(rules, settings.limits.steps, notes),
         lot_(lot),
         path_(path),
         seed_(settings.seed),
@@ -189,8 +190,8 @@ Result<void> CheckAllowed(const Attribute& attribute, const Value& value) {
 }
 
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
-                                         const Item& lot, uint32_t lot_number) {
-  Attributes attributes(rules, settings, lot, LotPath(settings.seed, lot_number));
+                                         const Item& lot, uint32_t lot_number, NoteBook* notes) {
+  Attributes attributes(rules, settings, lot, LotPath(settings.seed, lot_number), notes);
   for (const auto& [name, text] : settings.attributes) {
     auto given = AttributeValue(rules, name, text);
     if (!given) return Fail(given);

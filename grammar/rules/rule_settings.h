@@ -11,6 +11,8 @@
 
 namespace parti::grammar {
 
+class NoteBook;
+
 /// Where a derivation gives up with an error instead of filling the memory or running for ever.
 struct RuleLimits {
   uint32_t depth = 250;         ///< levels of rules, one below the other; the usual ones need 20
@@ -50,10 +52,11 @@ Result<void> CheckAllowed(const Attribute& attribute, const Value& value);
 
 /// The values of the rule set's attributes for a lot: those of the settings, else what their
 /// expressions give, each computed once. Draws by chance come from the seed, the number of the lot
-/// and the attribute's name.
+/// and the attribute's name. What they print goes to `notes`, which may be null.
 /// errors  those of AttributeValue;  kLimitReached  attributes that depend on each other, or
 ///         functions without end.
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
-                                         const Item& lot, uint32_t lot_number);
+                                         const Item& lot, uint32_t lot_number,
+                                         NoteBook* notes = nullptr);
 
 }  // namespace parti::grammar

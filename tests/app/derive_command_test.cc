@@ -180,5 +180,66 @@ TEST(DeriveCommand, LimitsAndFailuresNameThePlace) {
   EXPECT_EQ(empty.status, 1);
 }
 
+TEST(DeriveCommand, WritesReportsAsTables) {
+  const std::string folder = tests::TestFolder();
+  const std::string rules = File(R"(Lot --> split(x) { ~1: Part }*
+Part --> report("area", geometry.area) report("a \"b\", c", split.index == 0) A
+)");
+  const std::string lots = File(R"({"id": "a", "rings": [[[0, 0], [2, 0], [2, 3], [0, 3]]]}
+{"id": "b", "rings": [[[9, 0], [12, 0], [12, 3], [9, 3]]]}
+)",
+                                "/lots.jsonl");
+  const ProgramRun run = RunParti({"derive", rules, "--lot", lots, "--reports", folder + "/a.csv",
+                                   "--stats", "--threads", "2"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(ReadFile(folder + "/a.csv").value_or(""),
+            "lot,report,value,count,sum,average,min,max,no_numbers\r\n"
+            ",\"a \"\"b\"\", c\",false,3,,,,,\r\n"
+            ",\"a \"\"b\"\", c\",true,2,,,,,\r\n"
+            ",area,,5,15,3,3,3,0\r\n"
+            "lot-0,\"a \"\"b\"\", c\",false,1,,,,,\r\n"
+            "lot-0,\"a \"\"b\"\", c\",true,1,,,,,\r\n"
+            "lot-0,area,,2,6,3,3,3,0\r\n"
+            "lot-1,\"a \"\"b\"\", c\",false,2,,,,,\r\n"
+            "lot-1,\"a \"\"b\"\", c\",true,1,,,,,\r\n"
+            "lot-1,area,,3,9,3,3,3,0\r\n");
+  const auto stats = nlohmann::json::parse(run.output);
+  EXPECT_EQ(stats["reports"][1]["report"], "area");
+  EXPECT_EQ(stats["reports"][1]["sum"], 15);
+
+  ASSERT_EQ(RunParti({"derive", rules, "--lot", lots, "--save", folder + "/a.parti"}).status, 0);
+  const std::string json = folder + "/a.json";
+  ASSERT_EQ(RunParti({"derive", folder + "/a.parti", "--reports", json}).status, 0);
+  const auto written = nlohmann::json::parse(ReadFile(json).value_or(""));
+  EXPECT_EQ(written["reports"], stats["reports"]) << "a document reports the same";
+  EXPECT_EQ(written["reports"][0]["values"]["true"], 2);
+  EXPECT_EQ(written["lots"][1]["lot"], "lot-1");
+  EXPECT_EQ(written["lots"][1]["reports"][1]["sum"], 9);
+}
+
+TEST(DeriveCommand, ReportsThatAreNoneAndFilesThatAreNoTablesAreRefused) {
+  const std::string folder = tests::TestFolder();
+  const ProgramRun none =
+      RunParti({"derive", File(kHouse), "--reports", folder + "/a.json", "--stats"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.errors, HasSubstr("the rules report nothing"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/a.json"));
+  const ProgramRun wrong = RunParti({"derive", File(kHouse), "--reports", folder + "/a.xls"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("written to .csv, .json, not to"));
+}
+
+TEST(DeriveCommand, WhatRulesPrintGoesToStandardErrorAlsoWhereTheyFail) {
+  const std::string rules = File(
+      "Lot --> extrude(3) split(y) { ~1: print(split.index) A }*\nA --> case split.index < 2: B "
+      "else: print(\"fails\") t(0 / 0, 0, 0) C\n");
+  const ProgramRun run = RunParti({"derive", rules, "--stats"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.output, "");
+  EXPECT_THAT(run.errors, HasSubstr("house.cga:1:35: rule Lot: 2\n"));
+  EXPECT_THAT(run.errors, HasSubstr("house.cga:2:37: rule A: fails\n"));
+  EXPECT_THAT(run.errors, HasSubstr("error: rule A: t: "));
+}
+
 }  // namespace
 }  // namespace parti::app

@@ -130,7 +130,7 @@ inline Successor RandomSuccessor(const Operation& row, int depth) {
 inline Action RandomAction(bool in_place = false) {
   std::vector<const Operation*> rows;
   for (const Operation& row : Operations()) {
-    if (!in_place || row.in_place) rows.push_back(&row);
+    if (!row.notes && (!in_place || row.in_place)) rows.push_back(&row);
   }
   const Operation& row = *rows[*rc::gen::inRange<size_t>(0, rows.size())];
   Action action;

@@ -15,6 +15,13 @@ constexpr BuiltIn kRows[] = {
      [](Values values, const Situation&) -> Value { return TextOf(values[0]); }},
     {"bool", kOne, kBool, "false for 0, \"\" and \"false\"",
      [](Values values, const Situation&) -> Value { return TruthOf(values[0]); }},
+    {"print",
+     kOne,
+     kNumber,
+     "what it is given, which is printed as the operation print does",
+     [](Values values, const Situation&) -> Value { return values[0]; },
+     {},
+     /*prints=*/true},
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ inline Result<ShapeTree> DeriveByQueue(const RuleSet& rules, const RuleSettings&
   const LotRun run{program, lot, *attributes, settings.limits, settings.seed, nullptr, nullptr,
                    nullptr, 0,   {}};
   ShapeTree tree(lot, program.names[0].symbol, program.names);
-  RuleRunner runner(run, &tree);
+  RuleRunner runner(run, &tree, nullptr);
   // Priority 3, 2 and 0 of (4.23): what stays flat, the token with what waits for it, the rest.
   std::deque<RuleTask> flat, rest;
   std::vector<RuleTask> waiting;
