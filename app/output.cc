@@ -15,6 +15,9 @@
 namespace parti::app {
 namespace {
 
+/// The CityEngine whose words we write, for rules that name none.
+constexpr std::string_view kCgaVersion = "2021.0";
+
 struct Request {
   const Model& model;
   const std::optional<Camera>& view;
@@ -33,6 +36,7 @@ Result<void> WriteRules(const Request& request) {
     auto written = RulesToWrite(*request.model.ground->source);
     if (!written) return tl::unexpected<Error>(written.error().front());
     rules = std::move(*written);
+    if (rules.version.empty()) rules.version = kCgaVersion;
   }
   rules.trees = request.model.trees();
   const std::string text = grammar::TextOf(rules);

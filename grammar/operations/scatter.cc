@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::string_view kSurface = "surface", kScope = "scope";
 constexpr std::string_view kUniform = "uniform", kGaussian = "gaussian";
-/// Points that a gaussian does not want are drawn again this often.
-constexpr int kMostTries = 64;
+/// Points that a gaussian does not want are drawn this often.
+constexpr int kMostTries = 512;
 
 /// Draws points of a surface, every part of it as likely.
 class Surface {
@@ -55,15 +55,57 @@ Vec3 DrawIn(const Scope& box, Random* random) {
   return box.ToWorld(box.size * Vec3(x, y, z));
 }
 
-/// How much a point is wanted by a bell over the middle of the box: 1 there.
-double BellAt(const Vec3& point, const Scope& box, double deviation) {
-  const Vec3 from_middle = box.ToLocal(point) - box.size * 0.5;
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double sigma = deviation * box.size[i] / 2;
-    if (sigma > 0) sum += from_middle[i] * from_middle[i] / (sigma * sigma);
+/// How much points are wanted: more the nearer they are to the center of a bell, 1 there.
+class Bell {
+ public:
+  Bell(const Scope& box, std::string_view center, const Size& deviation)
+      : box_(box), center_(PlaceOf(center) * box.size) {
+    const bool is_part = deviation.kind == Size::Kind::kRelative;
+    sigma_ = is_part ? box.size * deviation.value : Vec3(deviation.value);
   }
-  return std::exp(-sum / 2);
+
+  double At(const Vec3& point) const {
+    const Vec3 from_center = box_.ToLocal(point) - center_;
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (box_.size[i] <= 0 || sigma_[i] <= 0) continue;
+      sum += from_center[i] * from_center[i] / (sigma_[i] * sigma_[i]);
+    }
+    return std::exp(-sum / 2);
+  }
+
+ private:
+  /// As a part of the box: the middle of its named side.
+  static Vec3 PlaceOf(std::string_view center) {
+    constexpr double kMiddle = 0.5;
+    if (center == "left") return {0, kMiddle, kMiddle};
+    if (center == "right") return {1, kMiddle, kMiddle};
+    if (center == "bottom") return {kMiddle, 0, kMiddle};
+    if (center == "top") return {kMiddle, 1, kMiddle};
+    if (center == "back") return {kMiddle, kMiddle, 0};
+    if (center == "front") return {kMiddle, kMiddle, 1};
+    return Vec3(kMiddle);
+  }
+
+  Scope box_;
+  Vec3 center_, sigma_;
+};
+
+/// The first of many draws that the bell takes, or else the one nearest to its center.
+template <typename Draw>
+Vec3 DrawnBy(const Bell& bell, const Draw& draw, Random* random) {
+  Vec3 best = draw();
+  double most = bell.At(best);
+  if (random->Uniform() < most) return best;
+  for (int tries = 1; tries < kMostTries; ++tries) {
+    const Vec3 place = draw();
+    const double wanted = bell.At(place);
+    if (random->Uniform() < wanted) return place;
+    if (wanted <= most) continue;
+    best = place;
+    most = wanted;
+  }
+  return best;
 }
 
 Item PointAt(const Vec3& place, const Scope& axes, const Item& parent) {
@@ -81,9 +123,10 @@ Result<std::vector<Product>> ApplyScatter(const Item& item, const Action& action
   const auto& domain = std::get<std::string>(action.arguments[0]);
   const auto count = static_cast<size_t>(std::get<double>(action.arguments[1]));
   const bool is_bell = std::get<std::string>(action.arguments[2]) == kGaussian;
-  const double deviation = std::get<Size>(action.arguments[4]).value;
   Random random(static_cast<uint64_t>(std::get<double>(action.arguments[5])));
   const Scope box = NamedScope(item);
+  const Bell bell(box, std::get<std::string>(action.arguments[3]),
+                  std::get<Size>(action.arguments[4]));
   const Surface surface(item);
   std::vector<Product> products;
   if (domain == kSurface && surface.is_empty()) return products;
@@ -91,11 +134,7 @@ Result<std::vector<Product>> ApplyScatter(const Item& item, const Action& action
     return domain == kSurface ? surface.Draw(&random) : DrawIn(box, &random);
   };
   for (size_t i = 0; i < count; ++i) {
-    Vec3 place = draw();
-    for (int tries = 0; is_bell && tries < kMostTries; ++tries) {
-      if (random.Uniform() < BellAt(place, box, deviation)) break;
-      place = draw();
-    }
+    const Vec3 place = is_bell ? DrawnBy(bell, draw, &random) : draw();
     products.push_back({PointAt(place, box, item), -1});
   }
   return products;
@@ -103,7 +142,8 @@ Result<std::vector<Product>> ApplyScatter(const Item& item, const Action& action
 
 constexpr std::array<std::string_view, 2> kDomains = {kSurface, kScope};
 constexpr std::array<std::string_view, 2> kDistributions = {kUniform, kGaussian};
-constexpr std::array<std::string_view, 1> kCenters = {"center"};
+constexpr std::array<std::string_view, 7> kCenters = {"center", "front", "back",  "left",
+                                                      "right",  "top",   "bottom"};
 
 const std::array<Parameter, 6> kParameters = {
     Parameter{.name = "domain",
@@ -126,15 +166,15 @@ const std::array<Parameter, 6> kParameters = {
               .kind = ParameterKind::kWord,
               .default_value = std::string(kCenters[0]),
               .required = false,
-              .doc = "of a gaussian: the middle of the scope",
+              .doc = "of a gaussian: the middle of the scope, or of a side of it",
               .words = kCenters},
     Parameter{.name = "deviation",
               .kind = ParameterKind::kSize,
               .low = 1e-3,
               .high = 1e3,
-              .default_value = Size{Size::Kind::kRelative, 0.5},
+              .default_value = Size{Size::Kind::kRelative, 0.16},
               .required = false,
-              .doc = "of a gaussian, as a part of half the scope"},
+              .doc = "of a gaussian, in metres, or as a part of the scope's sizes"},
     Parameter{.name = "seed",
               .kind = ParameterKind::kFactor,
               .low = 0,

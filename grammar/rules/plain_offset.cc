@@ -56,18 +56,18 @@ bool SortsParts(const WrittenStatement& step) {
                                 });
 }
 
-/// The alternatives of such a comp: all is what no selector before it takes.
+/// The alternatives of such a comp, in its order: all is what no selector before it takes.
 std::vector<WrittenAlternative> Sorted(const WrittenStatement& comp) {
   std::vector<WrittenAlternative> sorted;
-  for (const std::string_view part : {kInside, kBorder}) {
-    const auto taker = std::find_if(comp.alternatives.begin(), comp.alternatives.end(),
-                                    [&](const WrittenAlternative& alternative) {
-                                      const std::string_view word = WordOf(alternative.key[0]);
-                                      return word == part || word == kAll;
-                                    });
-    if (taker == comp.alternatives.end()) continue;
-    sorted.push_back(*taker);
-    sorted.back().key[0].value.name = part;
+  std::vector<std::string_view> left = {kInside, kBorder};
+  for (const WrittenAlternative& alternative : comp.alternatives) {
+    const std::string_view word = WordOf(alternative.key[0]);
+    for (const std::string_view part : std::vector(left)) {
+      if (word != part && word != kAll) continue;
+      std::erase(left, part);
+      sorted.push_back(alternative);
+      sorted.back().key[0].value.name = part;
+    }
   }
   return sorted;
 }

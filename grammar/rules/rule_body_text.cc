@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "base/check.h"
 #include "grammar/action_text.h"
 #include "grammar/lexer.h"
 #include "grammar/operation.h"
+#include "grammar/rules/built_ins.h"
 #include "grammar/rules/rule_expression_text.h"
+#include "grammar/rules/scatter_body.h"
 
 namespace parti::grammar {
 namespace {
@@ -18,6 +21,8 @@ constexpr size_t kWidest = 80;        ///< of a line
 constexpr size_t kWidestBraces = 50;  ///< braces of one line behind what stands before them
 constexpr std::string_view kRepeat = "repeat";
 constexpr std::string_view kSplit = "split";
+constexpr std::string_view kOffset = "offset";
+constexpr std::string_view kScatter = "scatter";
 
 /// Bodies of one rule. What does not fit into a line is broken at braces and cases.
 class BodyWriter {
@@ -32,11 +37,7 @@ class BodyWriter {
       if (column + flat.size() <= kWidest) return flat;
     }
     if (body.kind != Body::Kind::kSequence) return ChoiceText(body, indent);
-    std::vector<std::string> parts;
-    for (const Statement& statement : body.statements) {
-      parts.push_back(StatementText(statement, indent));
-    }
-    return fmt::format("{}", fmt::join(parts, " "));
+    return StepsText(body.statements, indent);
   }
 
   static constexpr size_t kFlat = static_cast<size_t>(-1);
@@ -44,6 +45,70 @@ class BodyWriter {
  private:
   static std::string Break(size_t indent) {
     return indent == kFlat ? " " : "\n" + std::string(indent, ' ');
+  }
+
+  using Steps = std::span<const Statement>;
+
+  std::string StepsText(Steps steps, size_t indent) const {
+    std::vector<std::string> parts;
+    for (size_t i = 0; i < steps.size(); ++i) {
+      const size_t end = EndOfScatter(steps, i);
+      if (end > 0) {
+        parts.push_back(ScatterText(steps.subspan(i + 1, end - i - 1), indent));
+        i = end;
+        continue;
+      }
+      const bool goes_on = i + 1 < steps.size() && steps[i + 1].kind != Statement::Kind::kPop;
+      const bool is_offset = IsPlainOffset(steps[i]);
+      const std::string text = StatementText(steps[i], indent);
+      parts.push_back(is_offset && goes_on ? fmt::format("[ {} ]", text) : text);
+    }
+    return fmt::format("{}", fmt::join(parts, " "));
+  }
+
+  /// The step that closes the brackets which step `from` opens, where they hold what CGA's scatter
+  /// has in its braces (scatter_body.h); else 0.
+  static size_t EndOfScatter(Steps steps, size_t from) {
+    const bool is_open = steps[from].kind == Statement::Kind::kPush && from + 2 < steps.size();
+    if (!is_open || !IsPlainScatter(steps[from + 1])) return 0;
+    int depth = 1;
+    for (size_t i = from + 2; i < steps.size(); ++i) {
+      if (steps[i].kind == Statement::Kind::kPush) ++depth;
+      if (steps[i].kind == Statement::Kind::kPop && --depth == 0) return i > from + 2 ? i : 0;
+    }
+    return 0;
+  }
+
+  /// Whether its seed is drawn for each shape, and CGA has its arguments.
+  static bool IsPlainScatter(const Statement& step) {
+    if (step.operation == nullptr || step.operation->name != kScatter) return false;
+    const Expression& seed = step.arguments.back().value;
+    const bool draws = seed.kind == Expression::Kind::kBuiltIn && seed.operands.size() == 1 &&
+                       seed.built_in->name == "rand" &&
+                       seed.operands[0].constant == Value(kScatterSeeds);
+    const bool is_gaussian = step.arguments[2].value.constant == Value(std::string("gaussian"));
+    const auto& row = step.operation->parameters;
+    return draws && (is_gaussian || (IsDefault(row[3], step.arguments[3]) &&
+                                     IsDefault(row[4], step.arguments[4])));
+  }
+
+  std::string ScatterText(Steps steps, size_t indent) const {
+    const auto& parameters = steps[0].operation->parameters;
+    const bool is_usual = IsDefault(parameters[3], steps[0].arguments[3]) &&
+                          IsDefault(parameters[4], steps[0].arguments[4]);
+    std::vector<std::string> arguments;
+    for (size_t i = 0; i < (is_usual ? 3 : 5); ++i) {
+      AddArgument(parameters[i], steps[0].arguments[i], &arguments);
+    }
+    return fmt::format("{}({}) {{ {} }}", kScatter, fmt::join(arguments, ", "),
+                       StepsText(steps.subspan(1), indent));
+  }
+
+  /// Whether each of its parts is named at most once: CGA says it with a comp(f).
+  static bool IsPlainOffset(const Statement& step) {
+    if (step.operation == nullptr || step.operation->name != kOffset) return false;
+    const auto& parts = step.successors;
+    return parts.size() == 1 || (parts.size() == 2 && parts[0].key != parts[1].key);
   }
 
   std::string ChoiceText(const Body& body, size_t indent) const {
@@ -110,6 +175,7 @@ class BodyWriter {
     const bool is_star = is_repeat || (row.name != kSplit && row.braces == Braces::kSizes &&
                                        successors.size() == 1 && !successors[0].repeat.empty());
     const auto& inside = is_star && !is_repeat ? successors[0].repeat : successors;
+    if (IsPlainOffset(statement)) text += " comp(f)";
     return text + " " + BracesText(inside, indent) + (is_star ? "*" : "");
   }
 
@@ -190,7 +256,9 @@ class BodyWriter {
     } else if (const auto* selector = std::get_if<Selector>(&successor.key)) {
       text = TextOf(*selector) + ": ";
     }
-    return text + Text(successor.body, indent + text.size(), indent == kFlat ? kFlat : indent + 2);
+    const std::string body =
+        Text(successor.body, indent + text.size(), indent == kFlat ? kFlat : indent + 2);
+    return text + (body.empty() ? "[ ]" : body);
   }
 
   std::string Operand(const Expression& expression) const {

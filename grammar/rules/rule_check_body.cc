@@ -14,6 +14,8 @@ namespace parti::grammar {
 namespace {
 
 constexpr std::string_view kSet = "set";
+constexpr std::string_view kOffset = "offset";
+constexpr auto kPush = Statement::Kind::kPush;
 constexpr std::string_view kMaterial = "material.", kSetMaterial = "setMaterial";
 
 /// Every operation of the table and every rule, for "did you mean".
@@ -31,6 +33,18 @@ bool MayStandAlone(const Operation& row) {
                       [](const Parameter& parameter) { return parameter.required; });
 }
 
+bool EndsIn(const std::vector<Statement>& steps, Statement::Kind kind) {
+  return !steps.empty() && steps.back().kind == kind;
+}
+
+/// Whether brackets that end here do without themselves: [ ], and [ offset(1) { … } ], which keeps
+/// the shape at hand as it is. CityEngine, whose offset has no braces, needs those brackets.
+bool AreNeedless(const std::vector<Statement>& steps) {
+  if (EndsIn(steps, kPush)) return true;
+  return steps.size() > 1 && EndsIn(steps, Statement::Kind::kOperation) &&
+         steps[steps.size() - 2].kind == kPush && steps.back().operation->name == kOffset;
+}
+
 std::string Arguments(size_t count) {
   return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
 }
@@ -42,16 +56,14 @@ Body RuleChecker::Resolve(const WrittenBody& written) {
   body.kind = written.kind;
   body.range = written.range;
   CheckBrackets(written.statements);
-  const auto braced = WithBracedOffsets(written.statements);
-  const auto bracketed = WithScatterInBrackets(braced ? *braced : written.statements);
-  const auto& statements = bracketed ? *bracketed : braced ? *braced : written.statements;
+  const auto bracketed = WithScatterInBrackets(written.statements);
+  const auto braced = WithBracedOffsets(bracketed ? *bracketed : written.statements);
+  const auto& statements = braced ? *braced : bracketed ? *bracketed : written.statements;
   for (const WrittenStatement& statement : statements) {
     auto resolved = Resolve(statement);
     const bool is_pop = resolved && resolved->kind == Statement::Kind::kPop;
-    const bool is_pair =
-        is_pop && !body.statements.empty() && body.statements.back().kind == Statement::Kind::kPush;
-    if (is_pair) {
-      body.statements.pop_back();  // [ ] changes nothing
+    if (is_pop && AreNeedless(body.statements)) {
+      body.statements.erase(body.statements.end() - (EndsIn(body.statements, kPush) ? 1 : 2));
     } else if (resolved) {
       body.statements.push_back(std::move(*resolved));
     }

@@ -10,8 +10,7 @@ using Steps = std::vector<WrittenStatement>;
 using Kind = WrittenExpression::Kind;
 
 constexpr size_t kOfGaussian = 5;  ///< arguments before the seed
-constexpr double kUsualDeviation = 0.5;
-constexpr double kLargestSeed = 999999999;
+constexpr double kUsualDeviation = 0.16;
 
 bool HasBody(const WrittenStatement& step) {
   return step.kind == WrittenStatement::Kind::kNamed && step.name == "scatter" && step.braces &&
@@ -50,7 +49,7 @@ void AddArguments(WrittenStatement* scatter) {
     arguments.push_back(Argument(Number(kUsualDeviation), Size::Kind::kRelative, range));
   }
   WrittenExpression seed = Named(Kind::kCall, "rand");
-  seed.operands.push_back(Number(kLargestSeed));
+  seed.operands.push_back(Number(kScatterSeeds));
   seed.operands[0].range = range;
   arguments.push_back(Argument(std::move(seed), Size::Kind::kAbsolute, range));
 }
@@ -73,7 +72,8 @@ std::optional<Steps> WithScatterInBrackets(const Steps& steps) {
       continue;
     }
     WrittenStatement scatter = step;
-    const Steps body = std::move(scatter.alternatives[0].body.statements);
+    Steps body = std::move(scatter.alternatives[0].body.statements);
+    if (auto inner = WithScatterInBrackets(body)) body = std::move(*inner);
     scatter.alternatives.clear();
     scatter.braces = false;
     AddArguments(&scatter);

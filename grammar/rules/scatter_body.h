@@ -9,6 +9,9 @@
 
 namespace parti::grammar {
 
+/// The seed of a scatter that has braces is drawn from 0 to this.
+inline constexpr double kScatterSeeds = 999999999;
+
 /// The steps of a body with every scatter that has braces as one in brackets, its seed drawn for
 /// each shape anew; nothing where there is none:
 ///   scatter(surface, 9, uniform) { Tree }

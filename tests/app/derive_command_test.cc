@@ -128,6 +128,7 @@ TEST(DeriveCommand, RulesWrittenOutGiveTheSameModel) {
   const std::string rules = File(kHouse), out = tests::TestFolder() + "/out.cga";
   const ProgramRun run = RunParti({"export", rules, out, "--set", "height=9"});
   ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_TRUE(ReadFile(out).value_or("").starts_with("version \"2021.0\"\n"));
   EXPECT_EQ(RunParti({"query", out, "*"}).output,
             RunParti({"query", rules, "*", "--set", "height=9"}).output);
 }

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "grammar/texture_extent.h"
 #include "tests/grammar/geometry_support.h"
 
@@ -116,6 +119,32 @@ TEST(Scatter, SeedsAndBellsMatter) {
   EXPECT_EQ(spread("uniform", 1), spread("uniform", 1));
   EXPECT_NE(spread("uniform", 1), spread("uniform", 2));
   EXPECT_LT(spread("gaussian", 1), 0.9 * spread("uniform", 1));
+}
+
+/// Mean place and spread of many points of a bell on a lot of 20 by 40, along its x.
+std::array<double, 2> BellOf(std::string center, const Size& deviation) {
+  const Item lot = Lot("0,0 20,0 20,40 0,40");
+  const Action action = Make("scatter", {std::string("surface"), 4000.0, std::string("gaussian"),
+                                         std::move(center), deviation, 3.0});
+  const auto points = Apply(action, lot);
+  EXPECT_TRUE(points.has_value());
+  double sum = 0, squares = 0;
+  for (const Product& p : *points) {
+    const double x = p.item.scope.origin.x;
+    sum += x / 4000;
+    squares += x * x / 4000;
+  }
+  return {sum, std::sqrt(squares - sum * sum)};
+}
+
+TEST(Scatter, DeviatesByMetresOrByPartsOfTheScope) {
+  const auto part = BellOf("center", {Size::Kind::kRelative, 0.1});
+  EXPECT_NEAR(part[0], 10, 0.2);
+  EXPECT_NEAR(part[1], 2, 0.1) << "a tenth of 20 m";
+  EXPECT_NEAR(BellOf("center", {Size::Kind::kAbsolute, 1})[1], 1, 0.1);
+  EXPECT_LT(BellOf("left", {Size::Kind::kRelative, 0.1})[0], 2) << "half of a bell, from x = 0";
+  EXPECT_GT(BellOf("right", {Size::Kind::kRelative, 0.1})[0], 18);
+  EXPECT_LT(BellOf("center", {Size::Kind::kRelative, 0.005})[1], 2) << "none far out";
 }
 
 }  // namespace

@@ -243,6 +243,18 @@ std::string BytesOf(std::string_view rules, size_t lots, int threads,
   return bytes;
 }
 
+TEST(RuleDerivation, RulesWrittenOutMakeTheSameShapes) {
+  const std::string text = R"(
+    Lot --> [ offset(-1) comp(f) { border: extrude(0.2) Curb | inside: Yard } ]
+            [ offset(2) { inside: Walk } ] t(0, 3, 0) Roof
+    Yard --> scatter(surface, 9, gaussian) { s(1, rand(1, 3), 1) primitiveCube() Tree } Lawn
+    Lawn --> offset(-2, inside) split(x) { ~1: | ~1: [ offset(-0.5, border) Bed ] }
+  )";
+  const std::string written = TextOf(RulesFrom(text));
+  EXPECT_THAT(written, HasSubstr("[ offset(2) comp(f) { inside: Walk } ] t(0, 3, 0) Roof"));
+  EXPECT_EQ(Bytes(ByRules(text)), Bytes(ByRules(written)));
+}
+
 TEST(RuleDerivation, AnyNumberOfThreadsGivesTheSameBytes) {
   for (const size_t lots : {1u, 3u, 60u}) {
     const std::string one = BytesOf(kTown, lots, 1);

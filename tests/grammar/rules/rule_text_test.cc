@@ -105,7 +105,7 @@ TEST(RuleText, AnEmptyBodyLeavesTheShape) {
   const RuleSet rules = RulesFrom("A -->\nB --> split(x) { 1: | ~1: C }");
   EXPECT_THAT(rules.rules[0].body.statements, IsEmpty());
   EXPECT_THAT(rules.rules[1].body.statements[0].successors[0].body.statements, IsEmpty());
-  EXPECT_EQ(TextOf(rules), "A -->\nB --> split(x) { 1:  | ~1: C }\n");
+  EXPECT_EQ(TextOf(rules), "A -->\nB --> split(x) { 1: [ ] | ~1: C }\n");
 }
 
 TEST(RuleText, ACaseThatChangesNothingIsAnEmptyPair) {
@@ -166,15 +166,28 @@ TEST(RuleText, ArgumentsMayBeCasesAndChances) {
             "Mass(h) --> s('1, max((30%: h else: 2), 3), '1)\n");
 }
 
-TEST(RuleText, ReadsOffsetAsCgaWritesIt) {
-  EXPECT_EQ(Written("A --> [ offset(-1, border) extrude(1) Rim ] offset(-2, inside) offset(1) X"),
-            "A --> [ offset(-1) { border: extrude(1) Rim } ] "
-            "offset(-2) { inside: offset(1) { inside: X | border: X } }\n");
+TEST(RuleText, ReadsAndWritesOffsetAsCgaDoes) {
+  EXPECT_EQ(Written("A --> [ offset(-1, border) extrude(1) Rim ] offset(-2, inside) B"),
+            "A --> [ offset(-1) comp(f) { border: extrude(1) Rim } ] "
+            "offset(-2) comp(f) { inside: B }\n");
+  EXPECT_EQ(Written("A --> offset(-2, inside) offset(1) X"),
+            "A --> offset(-2) comp(f) { inside: offset(1) comp(f) { inside: X | border: X } }\n");
+  EXPECT_EQ(Written("A --> offset(-1) { border: Rim | inside: Inner }"),
+            "A --> offset(-1) comp(f) { border: Rim | inside: Inner }\n");
   EXPECT_EQ(Written("A --> offset(-1) comp(f) { border: Rim | all: Inner } B"),
-            "A --> offset(-1) { inside: Inner | border: Rim } B\n");
+            "A --> [ offset(-1) comp(f) { border: Rim | inside: Inner } ] B\n")
+      << "CityEngine would make B of what the offset left";
+  EXPECT_EQ(Written("A --> [ offset(-1) comp(f) { inside: B } ] C"),
+            "A --> [ offset(-1) comp(f) { inside: B } ] C\n");
+  EXPECT_EQ(Written("A --> [ t(1, 0, 0) offset(-1) comp(f) { inside: B } ] C"),
+            "A --> [ t(1, 0, 0) offset(-1) comp(f) { inside: B } ] C\n");
+  EXPECT_EQ(Written("A --> offset(-1) { inside: B | inside: C }"),
+            "A --> offset(-1) { inside: B | inside: C }\n")
+      << "CGA has no such thing";
   EXPECT_EQ(Written("A --> innerRect [ t(1, 0, 0) B ] C"),
             "A --> innerRectangle(scope) { shape: [ t(1, 0, 0) B ] C }\n");
-  EXPECT_EQ(Written("A --> offset(-1, all)"), "A --> offset(-1) { inside:  | border:  }\n");
+  EXPECT_EQ(Written("A --> offset(-1, all)"),
+            "A --> offset(-1) comp(f) { inside: [ ] | border: [ ] }\n");
 }
 
 TEST(RuleText, ACaseInBracketsBecomesARule) {
@@ -184,9 +197,17 @@ TEST(RuleText, ACaseInBracketsBecomesARule) {
   EXPECT_THAT(WrongWith("A --> [ 30%: B else: C"), SizeIs(2));
 }
 
-TEST(RuleText, ScatterKeepsTheShapeAndDrawsASeed) {
-  EXPECT_EQ(Written("A --> scatter(surface, 9, gaussian) { Tree } B"),
-            "A --> [ scatter(surface, 9, gaussian, '0.5, rand(999999999)) Tree ] B\n");
+TEST(RuleText, ReadsAndWritesScatterAsCgaDoes) {
+  EXPECT_EQ(
+      Written("A --> [ scatter(surface, 9, gaussian, center, '0.16, rand(999999999)) Tree ] B"),
+      "A --> scatter(surface, 9, gaussian) { Tree } B\n");
+  EXPECT_EQ(Written("A --> scatter(surface, 9, gaussian, center, '0.1) { t(0, 1, 0) [ i(\"a\") A ] "
+                    "scatter(scope, 2, uniform) { B } } C"),
+            "A --> scatter(surface, 9, gaussian, center, '0.1) { t(0, 1, 0) [ i(\"a\") A ] "
+            "scatter(scope, 2, uniform) { B } } C\n");
+  EXPECT_EQ(Written("A --> scatter(surface, 9, uniform, center, 0.5, 3) Tree"),
+            "A --> scatter(surface, 9, uniform, 0.5, 3) Tree\n")
+      << "a seed of its own is ours";
 }
 
 TEST(RuleText, ReadsWordsOfFunctionsAndSelectorsOfObjects) {
