@@ -79,6 +79,8 @@ std::span<const Operation> Operations() {
                                    kNormalizeUv,
                                    kDeleteUv,
                                    kScatter,
+                                   kResetMaterial,
+                                   kDeleteHoles,
                                    kReport,
                                    kPrint};
   return rows;

@@ -15,7 +15,7 @@ extern const Operation kTranslate, kRotate, kScale, kCenter, kMirror, kInsert, k
 extern const Operation kAlignToAxes, kAlignToGeometry, kRotateScope, kMoveInWorld, kTurnInWorld,
     kCleanupGeometry, kReverseNormals, kScatter;
 extern const Operation kTileUv, kScaleUv, kTranslateUv, kRotateUv, kNormalizeUv, kDeleteUv;
-extern const Operation kReport, kPrint;
+extern const Operation kResetMaterial, kDeleteHoles, kReport, kPrint;
 
 /// What has a surface, and what stands in the world: all that may be moved or replaced.
 inline constexpr ItemTypes kSurfaced = Types(ItemType::kVolume, ItemType::kPlanar);

@@ -33,6 +33,14 @@ bool MayStandAlone(const Operation& row) {
                       [](const Parameter& parameter) { return parameter.required; });
 }
 
+/// set(trim.vertical, false): that what is inserted is not cut off where faces meet. It never is.
+bool SwitchesTrimOff(const WrittenStatement& set) {
+  const std::string& name = set.arguments[0].value.name;
+  const WrittenExpression& value = set.arguments[1].value;
+  return (name == "trim.vertical" || name == "trim.horizontal") &&
+         value.kind == WrittenExpression::Kind::kConstant && value.constant == Value(false);
+}
+
 bool EndsIn(const std::vector<Statement>& steps, Statement::Kind kind) {
   return !steps.empty() && steps.back().kind == kind;
 }
@@ -266,6 +274,7 @@ std::optional<Statement> RuleChecker::ResolveSet(const WrittenStatement& written
   if (statement.index == RuleNames::kNone && name.starts_with(kMaterial)) {
     if (auto material = ResolveMaterial(written)) return material;
   }
+  if (statement.index == RuleNames::kNone && SwitchesTrimOff(written)) return std::nullopt;
   if (statement.index == RuleNames::kNone) {
     CheckParts(written);
     const std::string what = fmt::format("attribute '{}' to set", name);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "grammar/rules/built_ins.h"
@@ -38,6 +39,14 @@ Value Nothing(ValueType type) {
   if (type == ValueType::kBool) return false;
   if (type == ValueType::kText) return std::string();
   return 0.0;
+}
+
+/// Whether CGA has a function of this name that takes or gives an array.
+bool IsOfArrays(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kNames = {"size",       "sum",       "nRows",
+                                                      "nColumns",   "transpose", "stringArray",
+                                                      "floatArray", "boolArray", "splitString"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
 std::vector<size_t> BuiltInsNamed(std::string_view name) {
@@ -303,9 +312,11 @@ void RuleChecker::RefuseName(const WrittenExpression& written) {
   }
   const bool is_call = written.kind == Kind::kCall;
   const std::string what = fmt::format("{} '{}'", is_call ? "function" : "value", written.name);
-  const auto meant = errors_->WantsHint(what) ? ValueLike(written.name) : std::nullopt;
+  const bool is_array = is_call && IsOfArrays(written.name);
+  const auto meant = !is_array && errors_->WantsHint(what) ? ValueLike(written.name) : std::nullopt;
   ReportUnknown(written.range, what,
-                meant     ? fmt::format("did you mean '{}'?", *meant)
+                is_array  ? "arrays are not read; functions of lists are listSize, listItem …"
+                : meant   ? fmt::format("did you mean '{}'?", *meant)
                 : is_call ? "functions are listed in docs/functions.md"
                           : fmt::format("attr {} = …, or a text in quotes", written.name),
                 /*can_be_skipped=*/is_call || written.name.find('.') != std::string::npos);

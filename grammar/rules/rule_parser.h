@@ -87,6 +87,7 @@ class RuleParser {
   bool ReadExpression(WrittenExpression* expression, int above = 0);
   bool ReadOperand(WrittenExpression* operand);
   bool ReadNamed(WrittenExpression* operand);
+  bool RefuseArray(TextRange range);
   bool ReadOperands(WrittenExpression* call);
   bool ReadSigned(WrittenExpression* operand);
   const RuleOperator* AtOperator() const;

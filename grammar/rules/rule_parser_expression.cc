@@ -120,10 +120,7 @@ bool RuleParser::ReadOperand(WrittenExpression* operand) {
     return Expect(')', "')'");
   }
   if (lexer_.At(Kind::kName)) return ReadNamed(operand);
-  if (lexer_.At('[')) {
-    return Fail(RangeOf(lexer_.Peek()), ErrorCode::kBadText, "arrays are not read",
-                "write a list, \"a;b;c\", and listItem(list, index)");
-  }
+  if (lexer_.At('[')) return RefuseArray(RangeOf(lexer_.Peek()));
   if (!lexer_.At(Kind::kNumber) && !lexer_.At(Kind::kText)) return Unexpected("a value");
   const Token literal = lexer_.Next();
   if (literal.kind == Kind::kNumber) operand->constant = literal.number;
@@ -166,16 +163,24 @@ bool RuleParser::ReadNamed(WrittenExpression* operand) {
     return Unexpected("a name after the dot");
   }
   operand->range = RangeFrom(from);
-  if (!lexer_.Accept('(')) return true;
-  operand->kind = WrittenExpression::Kind::kCall;
-  if (!lexer_.Accept(')')) {
-    do {
-      if (!ReadValue(&operand->operands.emplace_back())) return false;
-    } while (lexer_.Accept(','));
-    if (!Expect(')', "',' or ')'")) return false;
+  if (lexer_.Accept('(')) {
+    operand->kind = WrittenExpression::Kind::kCall;
+    if (!lexer_.Accept(')')) {
+      do {
+        if (!ReadValue(&operand->operands.emplace_back())) return false;
+      } while (lexer_.Accept(','));
+      if (!Expect(')', "',' or ')'")) return false;
+    }
+    operand->range = RangeFrom(from);
+    if (!Deepen(operand)) return false;
   }
-  operand->range = RangeFrom(from);
-  return Deepen(operand);
+  const bool is_array = lexer_.At('[') && lexer_.Touching();  // heights[2], float[]
+  return !is_array || RefuseArray(operand->range);
+}
+
+bool RuleParser::RefuseArray(TextRange range) {
+  return Fail(range, ErrorCode::kBadText, "arrays are not read",
+              "write a list, \"3;4;5\": float(listItem(list, 0)) is its first number");
 }
 
 void RuleParser::ReadDotted(std::string* name) {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/text_file.h"
 #include "grammar/action_text.h"
 #include "grammar/asset_library.h"
@@ -206,6 +208,35 @@ TEST(Primitives, WearTextureOnceAround) {
   }
   EXPECT_NEAR(low, 0, 1e-9);
   EXPECT_NEAR(high, 1, 1e-9);
+}
+
+TEST(ResetMaterial, TakesOffWhatTheShapeGotAndKeepsCoordinates) {
+  Item facade = Made("setupProjection(0, scope.xy, 2, 2)", Facade());
+  facade = Made("projectUV(0)", Made("texture(\"bricks.png\")", facade));
+  facade = Made("setMaterial(opacity, 0.5)", Made("color(\"#ff0000\")", facade));
+  const Item reset = Made("resetMaterial()", facade);
+  EXPECT_EQ(reset.color_rgb, 0u);
+  ASSERT_TRUE(reset.paint);
+  EXPECT_FALSE(reset.paint->material);
+  EXPECT_EQ(reset.paint->map, facade.paint->map);
+  EXPECT_FALSE(Made("resetMaterial()", Made("color(\"#ff0000\")", Facade())).paint);
+  EXPECT_EQ(Made("resetMaterial(geometry)", facade).color_rgb, facade.color_rgb);
+  EXPECT_EQ(*Made("resetMaterial(geometry)", facade).paint, *facade.paint);
+}
+
+TEST(ResetMaterial, OfGeometryIsThatOfAnAssetsFaces) {
+  const Item window = Made("color(\"#ff0000\")", Made("i(\"window.obj\")", Facade()));
+  const auto has_materials = [](const Item& item) {
+    return std::any_of(item.mesh->paints.begin(), item.mesh->paints.end(),
+                       [](const Paint& paint) { return paint.material != nullptr; });
+  };
+  ASSERT_TRUE(has_materials(window));
+  EXPECT_TRUE(has_materials(Made("resetMaterial()", window)));
+  EXPECT_FALSE(has_materials(Made("resetMaterial(geometry)", window)));
+  EXPECT_EQ(Made("resetMaterial(geometry)", window).color_rgb, window.color_rgb);
+  const Item all = Made("resetMaterial(all)", window);
+  EXPECT_FALSE(has_materials(all));
+  EXPECT_EQ(all.color_rgb, 0u);
 }
 
 }  // namespace

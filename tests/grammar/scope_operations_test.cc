@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "grammar/action_text.h"
 #include "tests/grammar/geometry_support.h"
 #include "tests/grammar/polygon_generators.h"
 
@@ -142,6 +143,23 @@ TEST(RotateInWorld, TurnsAboutTheWorldsAxes) {
   EXPECT_THAT(turned.scope.x, IsNear(Vec3(box.scope.x.z, 0, -box.scope.x.x)));
   EXPECT_THAT(turned.scope.origin, IsNear(box.scope.origin));
   EXPECT_THAT(After(InWorld("rotate", "abs", 0, 0, 0), box).scope.x, IsNear(Vec3(1, 0, 0)));
+}
+
+TEST(DeleteHoles, FillsPlanarShapesAndFacesOfVolumes) {
+  const auto ring =
+      Apply(*ParseAction("shapeO(1, 2, 1, 2) { shape: A }"), Lot("0,0 10,0 10,8 0,8"));
+  ASSERT_TRUE(ring.has_value()) << FormatError(ring.error());
+  const Item court = ring->front().item;
+  EXPECT_NEAR(AreaOf(court), 80 - 6 * 6, 1e-9);
+  const Item filled = After(Make("deleteHoles", {}), court);
+  EXPECT_NEAR(AreaOf(filled), 80, 1e-9);
+  EXPECT_EQ(filled.scope.size, court.scope.size);
+  const Item block = Apply(Extrude(3), court)->front().item;
+  const Item capped = After(Make("deleteHoles", {}), block);
+  EXPECT_NEAR(AreaOf(capped), AreaOf(block) + 2 * 36, 1e-9) << "floor and roof of the court";
+  EXPECT_FALSE(capped.mesh->closed) << "its walls stay inside";
+  const Item box = Apply(Extrude(3), filled)->front().item;
+  EXPECT_EQ(After(Make("deleteHoles", {}), box).mesh, box.mesh) << "nothing to fill";
 }
 
 }  // namespace

@@ -282,6 +282,27 @@ TEST(RuleErrors, ManyMistakesAreNoTrouble) {
   EXPECT_THAT(WrongWith(styles), testing::Contains(HasSubstr("64 styles at most")));
 }
 
+TEST(RuleErrors, ArraysAreNamedWhereTheyStand) {
+  const std::string list =
+      "arrays are not read; write a list, \"3;4;5\": float(listItem(list, 0)) is its first number";
+  EXPECT_THAT(
+      WrongWith("attr a = [1, 2, 3]\n"
+                "const b = float[]\n"
+                "f(x) = a[x] + 1\n"
+                "Lot --> extrude(f(1)[0]) A(b)\n"
+                "B --> set(a[1], 3) C\n"),
+      ElementsAre("1:10 " + list, "2:11 " + list, "3:8 " + list, "4:17 " + list, "5:11 " + list));
+  EXPECT_THAT(
+      WrongWith("attr a = \"1;2\"\nLot --> extrude(sum(a)) A"),
+      ElementsAre("2:17 there is no function 'sum'; arrays are not read; functions of lists "
+                  "are listSize, listItem …"));
+}
+
+TEST(RuleErrors, SwitchingOffWhatIsNeverDoneMeansNothing) {
+  EXPECT_EQ(Written("A --> set(trim.vertical, false) set(trim.horizontal, false) B"), "A --> B\n");
+  EXPECT_THAT(WrongWith("A --> set(trim.vertical, true) B"), SizeIs(1));
+}
+
 TEST(RuleErrors, LongTextsAreNoTrouble) {
   std::string rules, alternatives = "A --> split(x) { ", statements = "B --> ", cases = "C --> ";
   for (int i = 0; i < 20'000; ++i) {
