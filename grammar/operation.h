@@ -66,8 +66,8 @@ struct Operation {
   std::string_view doc;
   std::string_view source;  ///< paper section
   std::span<const Parameter> parameters;
-  Braces braces;
-  std::span<const Selector::Kind> selectors;  ///< kSelectors: those that it knows
+  Braces braces = Braces::kNone;
+  std::span<const Selector::Kind> selectors = {};  ///< kSelectors: those that it knows
   ItemTypes takes;
   ItemTypes gives;
   bool in_place;        ///< changes the shape itself and makes no child: tag, color
@@ -84,10 +84,14 @@ struct Operation {
   Result<std::vector<Product>> (*apply)(const Item& item, const Action& action);
 };
 
-/// All rows, in the order of the manual. "repeat" is a row of its own: its argument is the axis,
-/// its successors are the pattern, and it is written `split(axis) { ~size: X }*`; a group inside a
-/// split's braces, `split(axis) { 4: A | { ~3: B }* }`, is Successor::repeat of the split.
+/// Rows whose text tells more than their names. "repeat" is a row of its own: its argument is the
+/// axis, its successors are the pattern, and it is written `split(axis) { ~size: X }*`; a group
+/// inside a split's braces, `split(axis) { 4: A | { ~3: B }* }`, is Successor::repeat of the split.
 /// `segment(axis) { ~size: X }*` is a segment with one successor, that group.
+inline constexpr std::string_view kSplitName = "split", kRepeatName = "repeat",
+                                  kSegmentName = "segment";
+
+/// All rows, in the order of the manual.
 std::span<const Operation> Operations();
 /// nullptr when there is none.
 const Operation* FindOperation(std::string_view name);

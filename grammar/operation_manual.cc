@@ -64,7 +64,7 @@ std::string FormText(const Operation& row) {
     names.push_back(p.kind == ParameterKind::kWord ? p.words.front() : p.name);
   }
   if (row.braces == Braces::kNames) names.emplace_back("\"name\", …");
-  const bool repeats = row.name == "repeat";  // written as a split (language.md)
+  const bool repeats = row.name == kRepeatName;  // written as a split (language.md)
   std::string text = fmt::format("{}({})", repeats ? "split" : row.name, fmt::join(names, ", "));
   if (row.braces == Braces::kSizes) text += " { size: Symbol | … }";
   if (row.braces == Braces::kSelectors) text += " { selector: Symbol | … }";

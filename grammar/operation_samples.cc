@@ -52,7 +52,7 @@ int AxesOf(const Item& item) { return IsFlat(item.type) ? 2 : 3; }
 /// One cut, or one repeated size, along each axis for each length that fits.
 void AddSplitSamples(const Operation& row, const Item& item, std::span<const double> lengths_m,
                      std::vector<Action>* samples) {
-  const bool repeats = row.name == "repeat";
+  const bool repeats = row.name == kRepeatName;
   for (int axis = 0; axis < AxesOf(item); ++axis) {
     for (const double length : lengths_m) {
       if (!(length > 0) || length >= item.scope.size[axis]) continue;

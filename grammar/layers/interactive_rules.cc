@@ -60,7 +60,7 @@ bool IsSized(const SuccessorRule& successor, Size::Kind kind) {
 std::optional<Placing> PlacingOf(const RuleSet& rules, const Rule& rule, Axis axis) {
   const Statement* segment = OnlyStatement(rule.body);
   if (!rule.parameters.empty() || segment == nullptr || segment->operation == nullptr ||
-      segment->operation->name != "segment" || segment->successors.size() != 3) {
+      segment->operation->name != kSegmentName || segment->successors.size() != 3) {
     return std::nullopt;
   }
   const auto* along = std::get_if<std::string>(&segment->arguments[0].value.constant);

@@ -76,8 +76,6 @@ constinit const Operation kAlignToAxes = {
         "scope stays in its plane.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

@@ -169,8 +169,6 @@ constexpr Operation Row(std::string_view name, std::string_view word, std::strin
           .doc = doc,
           .source = "CGA",
           .parameters = parameters,
-          .braces = Braces::kNone,
-          .selectors = {},
           .takes = kSurfaced,
           .gives = kSurfaced,
           .in_place = true,

@@ -86,8 +86,6 @@ constinit const Operation kCleanupGeometry = {
         "that it would make cross themselves, stay as they are.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

@@ -38,8 +38,6 @@ constinit const Operation kDeleteHoles = {
         "it; after one the courtyard's walls stay, inside.",
     .source = "CGA",
     .parameters = {},
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

@@ -89,8 +89,6 @@ constinit const Operation kInsert = {
         "proportions.",
     .source = "CGA; Jesus 2018, 4.2",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kMovable,
     .gives = Types(ItemType::kVolume),
     .in_place = false,

@@ -37,7 +37,6 @@ constinit const Operation kLayers = {
     .source = "Jesus 2018, (4.11), Listing 4.2",
     .parameters = {},
     .braces = Braces::kNames,
-    .selectors = {},
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kLayer),
     .in_place = false,

@@ -135,8 +135,6 @@ constexpr Operation Row(std::string_view name, std::string_view word, std::strin
           .doc = doc,
           .source = "CGA",
           .parameters = parameters,
-          .braces = Braces::kNone,
-          .selectors = {},
           .takes = kMovable,
           .gives = Types(gives),
           .in_place = false,

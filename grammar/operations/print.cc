@@ -28,8 +28,6 @@ constinit const Operation kPrint = {
         "order of the shapes; the first 1,000 of a lot.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kAllItemTypes,
     .gives = kAllItemTypes,
     .in_place = true,

@@ -36,8 +36,6 @@ constinit const Operation kReport = {
         "nothing. `parti derive --reports FILE` writes what they come to.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kAllItemTypes,
     .gives = kAllItemTypes,
     .in_place = true,

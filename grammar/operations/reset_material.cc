@@ -55,8 +55,6 @@ constinit const Operation kResetMaterial = {
         "those that its file gives it.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

@@ -39,8 +39,6 @@ constinit const Operation kReverseNormals = {
         "upward.",
     .source = "CGA",
     .parameters = {},
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kPlanar),
     .in_place = true,

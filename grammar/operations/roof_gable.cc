@@ -52,8 +52,6 @@ constinit const Operation kRoofGable = {
         "Builds a gable roof over a planar shape: a hip roof whose triangular ends stand upright.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,

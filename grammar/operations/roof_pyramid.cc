@@ -23,8 +23,6 @@ constinit const Operation kRoofPyramid = {
         "roof. The angle is that of the front.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,

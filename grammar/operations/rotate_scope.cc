@@ -39,8 +39,6 @@ constinit const Operation kRotateScope = {
         "planar shape's scope stays in its plane.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

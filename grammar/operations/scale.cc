@@ -41,8 +41,6 @@ constinit const Operation kScale = {
         "depth for what is inserted next.",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kMovable,
     .gives = kMovable,
     .in_place = true,

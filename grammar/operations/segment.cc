@@ -39,7 +39,7 @@ const std::array<Parameter, 1> kParameters = {{{
 }  // namespace
 
 constinit const Operation kSegment = {
-    .name = "segment",
+    .name = kSegmentName,
     .word = "Segment",
     .doc =
         "Lays 2D shapes out along an axis without cutting anything: sizes as for split; { … }* "
@@ -47,7 +47,6 @@ constinit const Operation kSegment = {
     .source = "Jesus 2018, (4.12), Listing 4.3; errata 2, 7",
     .parameters = kParameters,
     .braces = Braces::kSizes,
-    .selectors = {},
     .takes = kSceneItemTypes,
     .gives = Types(ItemType::kShape2D),
     .in_place = false,

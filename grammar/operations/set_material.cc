@@ -61,8 +61,6 @@ constinit const Operation kSetMaterial = {
         "set(material.opacity, 0.5).",
     .source = "CGA",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSurfaced,
     .gives = kSurfaced,
     .in_place = true,

@@ -42,8 +42,6 @@ constinit const Operation kSetProperty = {
         "geometry is what they begin with.",
     .source = "Jesus 2018, (4.14), Listing 4.5; errata 6",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kAllItemTypes,
     .gives = kAllItemTypes,
     .in_place = true,

@@ -97,7 +97,7 @@ constexpr ItemTypes kDivisible = Types(ItemType::kVolume, ItemType::kPlanar, Ite
 }  // namespace
 
 constinit const Operation kSplit = {
-    .name = "split",
+    .name = kSplitName,
     .word = "Split",
     .doc =
         "Cuts a shape into slabs along an axis: sizes in metres, '0.5 of the whole, ~1 a share "
@@ -105,7 +105,6 @@ constinit const Operation kSplit = {
     .source = "Müller et al. 2006; Jesus 2018, 4.2",
     .parameters = kParameters,
     .braces = Braces::kSizes,
-    .selectors = {},
     .takes = kDivisible,
     .gives = kDivisible,
     .in_place = false,
@@ -113,17 +112,16 @@ constinit const Operation kSplit = {
 };
 
 constinit const Operation kRepeat = {
-    .name = "repeat",
+    .name = kRepeatName,
     .word = "Repeat",
     .doc = "Cuts a shape into as many equal patterns as fit; written split(axis) { ~size: X }*.",
     .source = "Müller et al. 2006; Jesus 2018, 6.5.3; errata 7",
     .parameters = kParameters,
     .braces = Braces::kSizes,
-    .selectors = {},
     .takes = kDivisible,
     .gives = kDivisible,
     .in_place = false,
-    .written = "split",
+    .written = kSplitName,
     .apply = ApplyRepeat,
 };
 

@@ -62,8 +62,6 @@ constinit const Operation kVectorial = {
         "it: all commands of SVG paths; further loops are holes.",
     .source = "Jesus 2018, (4.13), Listing 4.4; errata 4",
     .parameters = kParameters,
-    .braces = Braces::kNone,
-    .selectors = {},
     .takes = kSceneItemTypes,
     .gives = Types(ItemType::kShape2D),
     .in_place = false,

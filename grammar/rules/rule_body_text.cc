@@ -19,8 +19,6 @@ namespace {
 
 constexpr size_t kWidest = 80;        ///< of a line
 constexpr size_t kWidestBraces = 50;  ///< braces of one line behind what stands before them
-constexpr std::string_view kRepeat = "repeat";
-constexpr std::string_view kSplit = "split";
 constexpr std::string_view kOffset = "offset";
 constexpr std::string_view kScatter = "scatter";
 
@@ -166,13 +164,13 @@ class BodyWriter {
   std::string OperationText(const Statement& statement, size_t indent) const {
     CHECK(statement.operation != nullptr, "an operation of the table");
     const Operation& row = *statement.operation;
-    const bool is_repeat = row.name == kRepeat;
+    const bool is_repeat = row.name == kRepeatName;
     if (row.name == "setMaterial") return MaterialText(statement);
     std::string text =
         fmt::format("{}({})", Written(row), fmt::join(ArgumentTexts(statement), ", "));
     if (row.braces == Braces::kNone) return text;
     const auto& successors = statement.successors;
-    const bool is_star = is_repeat || (row.name != kSplit && row.braces == Braces::kSizes &&
+    const bool is_star = is_repeat || (row.name != kSplitName && row.braces == Braces::kSizes &&
                                        successors.size() == 1 && !successors[0].repeat.empty());
     const auto& inside = is_star && !is_repeat ? successors[0].repeat : successors;
     if (IsPlainOffset(statement)) text += " comp(f)";

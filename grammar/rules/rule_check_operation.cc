@@ -18,8 +18,6 @@ namespace {
 
 using Kind = ParameterKind;
 
-constexpr std::string_view kRepeat = "repeat";  // the row that is written split(axis) { … }*
-constexpr std::string_view kSplit = "split";
 constexpr std::string_view kExtrude = "extrude", kExtrudeAlong = "extrudeAlong";
 constexpr double kLargestSize_m = 1e9;
 constexpr double kLargestIndex = 1e6;
@@ -122,7 +120,7 @@ std::optional<WrittenStatement> WithoutUvs(const WrittenStatement& written) {
   const auto& arguments = written.arguments;
   const std::string* way = arguments.size() == 3 ? WordOf(arguments[0]) : nullptr;
   const std::string* space = way != nullptr ? WordOf(arguments[1]) : nullptr;
-  const bool is_uv = space != nullptr && *space == "unitSpace" && written.name == kSplit &&
+  const bool is_uv = space != nullptr && *space == "unitSpace" && written.name == kSplitName &&
                      (*way == "u" || *way == "v");
   if (!is_uv) return std::nullopt;
   WrittenStatement plain = written;
@@ -142,10 +140,10 @@ size_t LeavesOf(const std::vector<WrittenAlternative>& alternatives) {
 std::optional<Statement> RuleChecker::ResolveOperation(const WrittenStatement& written,
                                                        const Operation& found) {
   if (const auto plain = WithoutUvs(written)) return ResolveOperation(*plain, found);
-  const bool repeats = written.repeated && found.name == kSplit;
+  const bool repeats = written.repeated && found.name == kSplitName;
   const bool has_way = found.name == kExtrude && written.arguments.size() == 2 &&
                        WordOf(written.arguments[0]) != nullptr;
-  const Operation& row = repeats   ? *FindOperation(kRepeat)
+  const Operation& row = repeats   ? *FindOperation(kRepeatName)
                          : has_way ? *FindOperation(kExtrudeAlong)
                                    : found;
   Statement statement;
@@ -268,7 +266,7 @@ bool RuleChecker::CheckBraces(const WrittenStatement& written, const Operation& 
     hint = row.braces == Braces::kSizes ? "{ 3: Door | ~1: Wall }" : "{ side: Facade | top: Roof }";
   } else if (!wanted && written.braces) {
     message = fmt::format("{} takes no alternatives in braces", row.name);
-  } else if (row.name == kRepeat) {
+  } else if (row.name == kRepeatName) {
     message = "repeat is written as a split";
     hint = "split(y) { ~3: Floor }*";
   } else if (written.repeated && row.braces != Braces::kSizes) {
