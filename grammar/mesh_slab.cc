@@ -78,7 +78,6 @@ class Clip {
       : mesh_(mesh), cut_(cut), tolerance_(tolerance), kept_(mesh.points.size(), kNone) {}
 
   Mesh Run() {
-    result_.paints = mesh_.paints;
     result_.closed = mesh_.closed;
     for (const MeshFace& face : mesh_.faces) CutFace(face);
     if (mesh_.closed) AddCaps();
@@ -126,6 +125,14 @@ class Clip {
       if (!IsInside(here) && IsInside(before)) chains->back().push_back(Crossing(before, here));
     }
     return true;
+  }
+
+  /// The number of a face's paint in the result, which has only those that its faces wear.
+  uint32_t KeptPaint(uint32_t paint) {
+    if (paint == 0) return 0;
+    const auto [place, is_new] = paints_.try_emplace(paint, result_.paints.size() + 1);
+    if (is_new) result_.paints.push_back(mesh_.paints[paint - 1]);
+    return place->second;
   }
 
   Loop KeptLoop(const Loop& loop) {
@@ -186,7 +193,7 @@ class Clip {
     if (outlines.empty()) return;
     for (MeshFace& part :
          FacesFrom(result_.points, Normal(mesh_, face), std::move(outlines), std::move(holes))) {
-      part.paint = face.paint;
+      part.paint = KeptPaint(face.paint);
       result_.faces.push_back(std::move(part));
     }
   }
@@ -264,6 +271,7 @@ class Clip {
   double tolerance_;
   std::vector<uint32_t> kept_;
   std::unordered_map<uint64_t, uint32_t> crossings_;
+  std::unordered_map<uint32_t, uint32_t> paints_;  ///< numbers in the mesh, in the result
   std::vector<DirectedEdge> cap_edges_;
   Mesh result_;
 };
@@ -288,10 +296,13 @@ Mesh Slab(const Mesh& mesh, int axis, double low, double high) {
   const Extent extent = ExtentOf(mesh, axis);
   const double tolerance = CutTolerance(extent.high - extent.low);
   if (low >= extent.high - tolerance || high <= extent.low + tolerance) return {};
-  Mesh part = mesh;
-  if (low > extent.low + tolerance) part = Clip(part, {axis, low, -1.0}, tolerance).Run();
-  if (high < extent.high - tolerance) part = Clip(part, {axis, high, 1.0}, tolerance).Run();
-  return part;
+  const bool cuts_low = low > extent.low + tolerance, cuts_high = high < extent.high - tolerance;
+  const auto without_low = [&] { return Clip(mesh, {axis, low, -1.0}, tolerance).Run(); };
+  if (!cuts_high) return cuts_low ? without_low() : mesh;
+  const Cut top{axis, high, 1.0};
+  if (!cuts_low) return Clip(mesh, top, tolerance).Run();
+  const Mesh rest = without_low();
+  return Clip(rest, top, tolerance).Run();
 }
 
 }  // namespace parti::grammar

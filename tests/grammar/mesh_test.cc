@@ -1,6 +1,7 @@
 // Meshes: closed, outward, and still so after any number of cuts.
 #include "grammar/mesh.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -122,6 +123,31 @@ TEST(MeshSlab, CapsHaveHolesWhereTheMeshHas) {
   int with_holes = 0;
   for (const MeshFace& face : middle.faces) with_holes += face.holes.empty() ? 0 : 1;
   EXPECT_EQ(with_holes, 2);
+}
+
+TEST(MeshSlab, ASlabHasThePaintsThatItsFacesWearAndNoOthers) {
+  Mesh box = BoxMesh(Vec3(1, 1, 1));
+  for (MeshFace& face : box.faces) {
+    Paint& paint = box.paints.emplace_back();
+    paint.map = TextureMap{Vec3(static_cast<double>(box.paints.size()), 0, 0), Vec3(0, 1, 0), {}};
+    face.paint = static_cast<uint32_t>(box.paints.size());
+  }
+  const auto paints_by_normal = [](const Mesh& mesh) {
+    std::vector<std::pair<Vec3, Paint>> paints;
+    for (const MeshFace& face : mesh.faces) {
+      if (face.paint > 0) paints.emplace_back(Normal(mesh, face), mesh.paints.at(face.paint - 1));
+    }
+    return paints;
+  };
+  const auto of_box = paints_by_normal(box);
+  for (const auto& [low, high, sides] :
+       {std::tuple(0.25, 0.75, 4u), {0.0, 0.5, 5u}, {0.5, 1.0, 5u}}) {
+    const Mesh slab = Slab(box, 0, low, high);
+    EXPECT_EQ(slab.paints.size(), sides);
+    const auto of_slab = paints_by_normal(slab);
+    EXPECT_EQ(of_slab.size(), sides) << "caps have no paint";
+    for (const auto& worn : of_slab) EXPECT_THAT(of_box, testing::Contains(worn));
+  }
 }
 
 TEST(MeshSlab, NothingIsLeftOutsideTheMesh) {
