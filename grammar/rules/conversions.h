@@ -2,11 +2,16 @@
 // Which type an expression has is the checker's to know.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "grammar/rules/rule_set.h"
 
 namespace parti::grammar {
+
+/// Texts that rules make are no longer than this, in bytes: doubled forty times, one would fill any
+/// memory.
+inline constexpr size_t kLongestText = 1 << 20;
 
 /// As str() and + write it: numbers in the shortest form that reads back, true, false, texts as
 /// they are.

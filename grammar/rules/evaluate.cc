@@ -42,6 +42,12 @@ void Evaluator::Fail(std::string message, std::string hint) {
 
 bool Evaluator::Step() {
   if (failure_) return false;
+  value_steps_ = depth_ == 0 ? 0 : value_steps_ + 1;
+  if (value_steps_ > kMostStepsOfAValue) {
+    Fail(fmt::format("one value takes more than {} steps of computing", kMostStepsOfAValue),
+         "simplify the functions that it calls");
+    return false;
+  }
   if (most_steps_ == 0 || ++steps_ <= most_steps_) return true;
   Fail(fmt::format("more than {} steps of computing", most_steps_), "simplify, or raise the limit");
   return false;
@@ -69,6 +75,15 @@ Value Evaluator::Of(const Expression& expression, const Situation& situation) {
     Fail("functions call each other without end", "give them a case that ends");
     return 0.0;
   }
+  Value value = Computed(expression, situation);
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || text->size() <= kLongestText) return value;
+  Fail(fmt::format("a text is longer than {} bytes", kLongestText),
+       "join or replace less, or shorten it with substring()");
+  return 0.0;
+}
+
+Value Evaluator::Computed(const Expression& expression, const Situation& situation) {
   switch (expression.kind) {
     case Kind::kConstant:
       return expression.constant;

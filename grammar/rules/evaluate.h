@@ -15,9 +15,13 @@ namespace parti::grammar {
 
 /// Expressions may be nested, and functions may call each other, this deep.
 inline constexpr int kDeepestEvaluation = 1000;
+/// Expressions that are looked at for one value, at most: a quarter of a second of one core.
+/// Functions that call themselves twice end, but not while anybody waits.
+inline constexpr uint64_t kMostStepsOfAValue = 20'000'000;
 
-/// Computes expressions one after the other. A failure (functions without end, too many steps) is
-/// kept: the values after it mean nothing, and whoever asks for a value looks at failure() once.
+/// Computes expressions one after the other. A failure (functions without end, too many steps, a
+/// text longer than kLongestText) is kept: the values after it mean nothing, and whoever asks for a
+/// value looks at failure() once.
 ///
 /// Numbers are doubles; what divides by zero is infinite or no number, as in CGA, and is refused
 /// where an operation gets it. "+" joins texts; numbers in them are written as TextOf does. "&&"
@@ -45,6 +49,8 @@ class Evaluator {
   const std::optional<Error>& failure() const { return failure_; }
 
  private:
+  /// The value, however long a text it is.
+  Value Computed(const Expression& expression, const Situation& situation);
   Value Operated(const Expression& expression, const Situation& situation);
   double OperatedNumber(const Expression& expression, const Situation& situation);
   bool OperatedTruth(const Expression& expression, const Situation& situation);
@@ -58,6 +64,7 @@ class Evaluator {
   uint64_t most_steps_;  ///< 0: any number
   NoteBook* notes_;      ///< may be null
   uint64_t steps_ = 0;
+  uint64_t value_steps_ = 0;  ///< since the outermost expression began
   int depth_ = 0;
   std::optional<Error> failure_;
 };

@@ -7,9 +7,6 @@
 namespace parti::grammar::built_ins {
 namespace {
 
-/// Texts no longer than this are made: replace() may not fill the memory.
-constexpr size_t kLongestText = 1 << 20;
-
 size_t CountOf(const std::string& text, const std::string& match) {
   if (match.empty()) return 0;
   size_t count = 0;
@@ -42,6 +39,7 @@ Value Substring(Values values, const Situation&) {
   return to > from ? text.substr(from, to - from) : std::string();
 }
 
+/// Stops where the result is too long already: whoever asked for it says so.
 Value Replace(Values values, const Situation&) {
   const std::string text = TextOf(values[0]), match = TextOf(values[1]), by = TextOf(values[2]);
   if (match.empty()) return text;
@@ -50,7 +48,7 @@ Value Replace(Values values, const Situation&) {
   for (size_t at = text.find(match); at != std::string::npos; at = text.find(match, from)) {
     replaced.append(text, from, at - from).append(by);
     from = at + match.size();
-    if (replaced.size() > kLongestText) return text;
+    if (replaced.size() > kLongestText) break;
   }
   return replaced.append(text, from);
 }

@@ -191,6 +191,33 @@ TEST(RuleDerivation, FunctionsWithoutEndAreAnError) {
   EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached);
 }
 
+TEST(RuleDerivation, FunctionsThatTakeForeverAreAnErrorAndNoHang) {
+  const auto tree = TryRules(
+      "fib(n) = case n < 2: n else: fib(n - 1) + fib(n - 2)\nLot --> extrude(fib(80)) Mass");
+  ASSERT_FALSE(tree);
+  EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached);
+  EXPECT_THAT(tree.error().message, HasSubstr("steps of computing"));
+  ASSERT_TRUE(tree.error().place);
+  EXPECT_EQ(tree.error().place->line, 2);
+}
+
+TEST(RuleDerivation, ManyValuesMayTakeMoreStepsTogetherThanOneMay) {
+  const auto tree = TryRules(
+      "fib(n) = case n < 2: n else: fib(n - 1) + fib(n - 2)\n"
+      "Lot --> split(x) { { ~0.1: extrude(fib(10)) Part }* }");
+  ASSERT_TRUE(tree) << tree.error().message;
+}
+
+TEST(RuleDerivation, TextsThatGrowWithoutBoundsAreAnErrorThatFillsNoMemory) {
+  for (const char* longer : {"s + s", "replace(s, \"a\", s)", "listAdd(s, s)"}) {
+    const auto tree = TryRules(std::string("grow(s, n) = case n <= 0: s else: grow(") + longer +
+                               ", n - 1)\nLot --> extrude(len(grow(\"aa\", 60))) Mass");
+    ASSERT_FALSE(tree) << longer;
+    EXPECT_EQ(tree.error().code, ErrorCode::kLimitReached) << longer;
+    EXPECT_THAT(tree.error().message, HasSubstr("a text is longer than 1048576 bytes")) << longer;
+  }
+}
+
 TEST(RuleDerivation, AFailureNamesRuleOperationShapeAndPlace) {
   const auto tree = TryRules("Lot --> split(x) { ~1: A | ~1: Part }\nPart --> extrude(0 * 3) Mass");
   ASSERT_FALSE(tree);
