@@ -23,6 +23,15 @@ int main(int argc, char** argv) {
   AddRenderCommand(app, &run);
   AddExportCommand(app, &run);
   AddDeriveCommand(app, &run);
+  // What follows a misspelt command is no reason to complain of that: AddOpenCommand looks at both.
+  app.allow_extras();
+  app.failure_message([](const CLI::App* program, const CLI::Error& error) {
+    const auto chosen = program->get_subcommands();
+    const std::string command = chosen.empty() ? "parti" : "parti " + chosen.front()->get_name();
+    return parti::FormatError({parti::ErrorCode::kBadArguments, error.what(),
+                               command + " --help shows what it takes", std::nullopt}) +
+           "\n";
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -36,9 +36,9 @@ int RunCheck(const CheckOptions& options) {
                    fmt::format("'{}' has neither rules nor trees", options.file),
                    "write Lot --> extrude(12) Mass"});
   }
-  fmt::print("{}: {}, {}, {}\n", options.file, Counted(rules->rules.size(), "rule"),
-             Counted(rules->attributes.size(), "attribute"), Counted(rules->trees.size(), "tree"));
-  return kDone;
+  return PrintAnswer(fmt::format(
+      "{}: {}, {}, {}\n", options.file, Counted(rules->rules.size(), "rule"),
+      Counted(rules->attributes.size(), "attribute"), Counted(rules->trees.size(), "tree")));
 }
 
 }  // namespace

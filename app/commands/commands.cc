@@ -2,11 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
 namespace parti::app {
 
 int Report(const Error& error) {
-  fmt::print(stderr, "{}\n", FormatError(error));
+  // fmt::print would throw where standard error can't be written, and there is nobody left to tell.
+  std::fputs((FormatError(error) + "\n").c_str(), stderr);
   return kFailed;
+}
+
+int PrintAnswer(std::string_view text) {
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (is_written && std::fflush(stdout) == 0) return kDone;
+  return Report({ErrorCode::kFile,
+                 fmt::format("can't write to standard output: {}", std::strerror(errno)),
+                 "check that the disk has room"});
 }
 
 }  // namespace parti::app

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "base/error.h"
 
@@ -17,6 +18,10 @@ using Run = std::function<int()>;
 
 /// Prints an error to standard error in the house's form; returns kFailed.
 int Report(const Error& error);
+
+/// Prints an answer to standard output, whole and at once. Returns kDone; kFailed, reported, where
+/// it can't be written.
+int PrintAnswer(std::string_view text);
 
 /// What runs where no command is named: the application.
 void AddOpenCommand(CLI::App& app, Run* run);

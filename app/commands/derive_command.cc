@@ -69,7 +69,7 @@ struct Times {
   double derive_s = 0, normalise_s = 0, export_s = 0;
 };
 
-void PrintStats(const OpenedModel& opened, const Times& times) {
+int PrintStats(const OpenedModel& opened, const Times& times) {
   const Model& model = opened.model;
   const uint64_t peak_bytes = PeakBytes();  // before triangles are made to be counted
   size_t shapes = 0, terminals = 0, triangles = 0;
@@ -90,7 +90,7 @@ void PrintStats(const OpenedModel& opened, const Times& times) {
   if (nlohmann::ordered_json reports = JsonOf(opened.notes); !reports.empty()) {
     stats["reports"] = std::move(reports);
   }
-  fmt::print("{}\n", TextOf(stats));
+  return PrintAnswer(TextOf(stats) + '\n');
 }
 
 int Derive(const Options& options) {
@@ -105,8 +105,7 @@ int Derive(const Options& options) {
   const auto done = WriteAll(options, *opened);
   times.export_s = Now() - derived;
   if (!done) return Report(done.error());
-  if (options.stats) PrintStats(*opened, times);
-  return kDone;
+  return options.stats ? PrintStats(*opened, times) : kDone;
 }
 
 }  // namespace

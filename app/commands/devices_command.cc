@@ -84,19 +84,20 @@ int List(const Options& options) {
   const auto found = Find(options.nodes);
   if (!found) return Report(found.error());
   Json devices = Json::array();
+  std::string lines;
   for (const Found& device : *found) {
     if (options.json) {
       devices.push_back(JsonOf(device));
     } else {
-      fmt::print("{}\n", LineOf(device));
+      lines += LineOf(device) + '\n';
     }
   }
   // A device's name may hold any bytes; what is not UTF-8 is shown as such, not thrown about.
   if (options.json) {
     const Json answer{{"devices", devices}};
-    fmt::print("{}\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace));
+    lines = answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
   }
-  return kDone;
+  return PrintAnswer(lines);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -113,10 +114,16 @@ ApplicationOptions UsersOptions() {
   return with;
 }
 
+/// A name that can't be a file's, such as one that is too long, is not there.
+bool IsThere(const std::string& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
 /// A file that is not there yet is begun, if its name is a document's. A bare word is taken for a
 /// misspelt command. The exit status; kDone where all is well.
 int CheckFile(const std::string& file, const std::vector<std::string>& commands) {
-  if (file.empty() || std::filesystem::exists(file) || file.ends_with(".parti")) return kDone;
+  if (file.empty() || IsThere(file) || file.ends_with(".parti")) return kDone;
   Error error{ErrorCode::kFile, fmt::format("there is no file '{}'", file),
               "documents end in .parti; parti --help lists the commands"};
   if (file.find_first_of("./") != std::string::npos) return Report(error);
@@ -128,7 +135,7 @@ int CheckFile(const std::string& file, const std::vector<std::string>& commands)
 }
 
 Result<void> BeginFile(const std::string& file, Application* application) {
-  if (file.empty() || std::filesystem::exists(file)) return {};
+  if (file.empty() || IsThere(file)) return {};
   application->Do(PanelCommand(DocumentRequest{DocumentRequest::Kind::kSaveAs, file}));
   return Settle(application);
 }
@@ -176,8 +183,20 @@ void Greet(const Display& display) {
              display.Description());
 }
 
-int Open(const Options& options, const std::vector<std::string>& commands) {
+/// What the command line has besides; kDone where that is nothing but the mark before file names.
+int CheckSurplus(const std::vector<std::string>& surplus) {
+  const auto first =
+      std::find_if(surplus.begin(), surplus.end(), [](const auto& word) { return word != "--"; });
+  if (first == surplus.end()) return kDone;
+  Report({ErrorCode::kBadArguments, fmt::format("'{}' is not expected here", *first),
+          "parti --help shows what is"});
+  return kWrongUsage;
+}
+
+int Open(const Options& options, const std::vector<std::string>& commands,
+         const std::vector<std::string>& surplus) {
   if (const int status = CheckFile(options.file, commands); status != kDone) return status;
+  if (const int status = CheckSurplus(surplus); status != kDone) return status;
   const EndSignals signals;
   const auto kind = DisplayKindOf(options.display);
   if (!kind) return Report(kind.error());
@@ -185,7 +204,7 @@ int Open(const Options& options, const std::vector<std::string>& commands) {
   if (!display) return Report(display.error());
   Greet(**display);
   SessionThreadOptions with;
-  if (std::filesystem::exists(options.file)) with.path = options.file;
+  if (IsThere(options.file)) with.path = options.file;
   SessionThread session(with);
   const auto ran = RunApplication(options, display->get(), &session, signals);
   session.Stop();
@@ -216,7 +235,7 @@ void AddOpenCommand(CLI::App& app, Run* run) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({}))
       commands.emplace_back(command->get_name());
-    return Open(*options, commands);
+    return Open(*options, commands, app.remaining());
   };
 }
 

@@ -52,14 +52,15 @@ Result<std::vector<Match>> MatchesOf(const grammar::Query& query, const Model& m
   return matches;
 }
 
-void Print(const std::vector<Match>& matches, double ms, bool as_json) {
+int Print(const std::vector<Match>& matches, double ms, bool as_json) {
   if (!as_json) {
-    for (const Match& match : matches) fmt::print("{}\n", match.id);
-    return;
+    std::string ids;
+    for (const Match& match : matches) ids += match.id + '\n';
+    return PrintAnswer(ids);
   }
   OrderedJson shapes = OrderedJson::array();
   for (const Match& match : matches) shapes.push_back(JsonOf(match));
-  fmt::print("{}\n", OrderedJson{{"shapes", shapes}, {"ms", ms}}.dump());
+  return PrintAnswer(OrderedJson{{"shapes", shapes}, {"ms", ms}}.dump() + '\n');
 }
 
 int RunQuery(const QueryOptions& options) {
@@ -71,8 +72,8 @@ int RunQuery(const QueryOptions& options) {
   const auto matches = MatchesOf(*query, opened->model);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   if (!matches) return Report(matches.error());
-  Print(*matches, took.count(), options.json);
-  if (!matches->empty()) return kDone;
+  const int printed = Print(*matches, took.count(), options.json);
+  if (!matches->empty() || printed != kDone) return printed;
   return Report({ErrorCode::kNothingMade, fmt::format("'{}' selects no shape", options.query),
                  "parti query FILE '*' lists all shapes"});
 }

@@ -55,7 +55,7 @@ Result<void> RecordEvents(const Options& options, LibinputSource& source,
   }
 }
 
-Result<void> Record(const Options& options) {
+Result<std::string> Record(const Options& options) {
   auto source = options.node.empty() ? LibinputSource::OpenSeat()
                                      : LibinputSource::OpenDevices({options.node});
   if (!source) return Fail(source);
@@ -72,14 +72,14 @@ Result<void> Record(const Options& options) {
   if (fine) fine = RecordEvents(options, *source, *recorder);
   // Whatever happened, what was drawn is worth a proper end.
   auto finished = recorder->Finish();
-  if (!fine) return fine;
-  if (!finished) return finished;
+  if (!fine) return Fail(fine);
+  if (!finished) return Fail(finished);
   if (recorder->reports() == 0) {
     return Fail(ErrorCode::kNothingMade, "no pen and no finger touched anything while recording",
                 "draw on the device; `--seconds` gives more time");
   }
-  fmt::print("{}: {} strokes, {} events\n", options.out, recorder->strokes(), recorder->reports());
-  return {};
+  return fmt::format("{}: {} strokes, {} events\n", options.out, recorder->strokes(),
+                     recorder->reports());
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ void AddRecordCommand(CLI::App& app, Run* run) {
       ->check(CLI::PositiveNumber);
   command->callback([options, run] {
     *run = [options] {
-      const auto fine = Record(*options);
-      return fine ? kDone : Report(fine.error());
+      const auto recorded = Record(*options);
+      return recorded ? PrintAnswer(*recorded) : Report(recorded.error());
     };
   });
 }

@@ -95,7 +95,8 @@ int Replay(const Options& options) {
                    "a drawing begins with a lot: after 0: lot rect(20,14)"});
   }
   if (WriteOutputs(options, session) != kDone) status = kFailed;
-  if (options.json) fmt::print("{}\n", Summary(session, report).dump());
+  if (options.json && PrintAnswer(Summary(session, report).dump() + '\n') != kDone)
+    status = kFailed;
   return status;
 }
 

@@ -34,6 +34,46 @@ TEST_F(ErrorsTest, WrongUsageExitsWith2) {
   EXPECT_EQ(RunParti({"export", "a.parti"}).status, 2);
 }
 
+TEST_F(ErrorsTest, WrongUsageSaysWhatIsWrongAndWhereHelpIs) {
+  EXPECT_EQ(RunParti({"export", "a.parti"}).errors,
+            "parti: error: OUT is required\n  hint: parti export --help shows what it takes\n");
+  EXPECT_THAT(RunParti({"derive", "a.cga", "--sed", "3"}).errors,
+              AllOf(StartsWith("parti: error: "), HasSubstr("--sed"),
+                    HasSubstr("hint: parti derive --help")));
+  const ProgramRun misspelt = RunParti({"deriv", "a.cga", "--start", "Lot"});
+  EXPECT_EQ(misspelt.status, 2);
+  EXPECT_EQ(misspelt.errors,
+            "parti: error: there is no command and no file 'deriv'\n"
+            "  hint: did you mean 'derive'?\n");
+  const ProgramRun surplus = RunParti({"new.parti", "other.parti"});
+  EXPECT_EQ(surplus.status, 2);
+  EXPECT_THAT(surplus.errors, StartsWith("parti: error: 'other.parti' is not expected here"));
+  EXPECT_THAT(RunParti({"--display", "none", "--", "new.parti"}).errors,
+              HasSubstr("no display called"))
+      << "what follows -- is a file";
+}
+
+TEST_F(ErrorsTest, ANameThatIsTooLongForAFileIsOneThatIsNotThere) {
+  const ProgramRun run = RunParti({std::string(10000, 'x')});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.errors, StartsWith("parti: error: there is no command and no file 'xxx"));
+}
+
+TEST_F(ErrorsTest, AnswersThatCannotBeWrittenAreAFailure) {
+  const std::string rules = Written("a.cga", "Lot --> split(x) { { ~0.001: A }* }");
+  const std::vector<std::vector<std::string>> commands = {
+      {"query", rules, "*"},  // more than fits into a buffer
+      {"query", rules, "*", "--json"},
+      {"check", rules},
+      {"derive", rules, "--stats"}};
+  for (const auto& command : commands) {
+    const ProgramRun run = RunParti(command, "", "/dev/full");
+    EXPECT_EQ(run.status, 1) << command.front();
+    EXPECT_THAT(run.errors, StartsWith("parti: error: can't write to standard output: No space"))
+        << command.front();
+  }
+}
+
 TEST_F(ErrorsTest, EveryCommandHasHelpWithAnExample) {
   for (const char* command :
        {"replay", "devices", "record", "segment", "suggest", "query", "render", "export"}) {

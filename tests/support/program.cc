@@ -19,7 +19,8 @@ std::string TestFolder() {
   return name;
 }
 
-ProgramRun RunParti(const std::vector<std::string>& arguments, const std::string& input) {
+ProgramRun RunParti(const std::vector<std::string>& arguments, const std::string& input,
+                    const std::string& output_to) {
   const std::string folder = TestFolder();
   const auto quoted = [](const std::string& word) {
     std::string text = "'";
@@ -29,7 +30,8 @@ ProgramRun RunParti(const std::vector<std::string>& arguments, const std::string
   std::string command = quoted(PARTI_PROGRAM);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
   EXPECT_TRUE(WriteFile(folder + "/in", input));
-  command += " <" + quoted(folder + "/in") + " >" + quoted(folder + "/out") + " 2>" +
+  command += " <" + quoted(folder + "/in") + " >" +
+             quoted(output_to.empty() ? folder + "/out" : output_to) + " 2>" +
              quoted(folder + "/err");
   const int code = std::system(command.c_str());
   ProgramRun run;

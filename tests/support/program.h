@@ -12,8 +12,10 @@ struct ProgramRun {
   std::string errors;  ///< standard error
 };
 
-/// Runs `parti ARGUMENTS…` with `input` on its standard input, in the folder of the caller.
-ProgramRun RunParti(const std::vector<std::string>& arguments, const std::string& input = "");
+/// Runs `parti ARGUMENTS…` with `input` on its standard input, in the folder of the caller. Where
+/// `output_to` is given, standard output goes there and `output` is empty.
+ProgramRun RunParti(const std::vector<std::string>& arguments, const std::string& input = "",
+                    const std::string& output_to = "");
 
 /// A new empty folder for one test, below the test's temporary folder.
 std::string TestFolder();
