@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -35,9 +38,9 @@ const Json& At(const Json& object, const char* name) {
   return found == object.end() ? kNone : *found;
 }
 
-Result<City> VerticesFrom(const Json& json) {
+Result<City> VerticesFrom(const Json& json, const Json& transform) {
   Vec3 scale(1), translate(0);
-  if (const Json& transform = At(json, "transform"); transform.is_object()) {
+  if (transform.is_object()) {
     const auto s = Vec3From(At(transform, "scale"), "transform.scale");
     if (!s) return Fail(s);
     const auto t = Vec3From(At(transform, "translate"), "transform.translate");
@@ -184,37 +187,109 @@ std::vector<Footprint> FootprintsOf(const City& city, const std::vector<Loop>& b
   return footprints;
 }
 
+/// The first geometry that is made of surfaces: the ground is the same in every level of detail.
+/// Points, lines and instances of templates say nothing of it.
+const Json& SurfacesOf(const Json& object) {
+  static const Json kNone;
+  const Json& geometries = At(object, "geometry");
+  if (!geometries.is_array()) return kNone;
+  for (const Json& geometry : geometries) {
+    const Json& type = At(geometry, "type");
+    if (type != "MultiPoint" && type != "MultiLineString" && type != "GeometryInstance") {
+      return geometry;
+    }
+  }
+  return kNone;
+}
+
+bool IsBuilding(const Json& object) {
+  const Json& type = At(object, "type");
+  return type == "Building" || type == "BuildingPart";
+}
+
 Result<std::vector<Footprint>> ObjectFootprints(const City& city, const std::string& name,
                                                 const Json& object) {
-  const Json& type = At(object, "type");
-  const bool building = type == "Building" || type == "BuildingPart";
-  const Json& geometries = At(object, "geometry");
-  if ((!building && type != "LandUse") || !geometries.is_array() || geometries.empty()) {
+  const Json& geometry = SurfacesOf(object);
+  if ((!IsBuilding(object) && At(object, "type") != "LandUse") || geometry.is_null()) {
     return std::vector<Footprint>();
   }
-  // The ground is the same in every level of detail.
-  const Json& geometry = geometries[0];
+  const auto street = StreetIn(At(object, "attributes"), name);
+  if (!street) return Fail(street);
   const Json& semantics = At(geometry, "semantics");
   std::vector<Surface> surfaces;
   const auto added = AddSurfaces(city, At(geometry, "boundaries"), At(semantics, "values"),
                                  At(semantics, "surfaces"), &surfaces);
-  if (!added) return Fail(added);
-  const auto ground = building ? GroundOf(city, surfaces) : surfaces;
-  return FootprintsOf(city, BordersOf(ground), {name, {}, LowestOf(city, surfaces)});
+  if (!added) {
+    Error error = added.error();
+    error.message = fmt::format("{}, in '{}'", error.message, name);
+    return tl::unexpected<Error>(std::move(error));
+  }
+  const auto ground = IsBuilding(object) ? GroundOf(city, surfaces) : surfaces;
+  return FootprintsOf(city, BordersOf(ground), {name, {}, LowestOf(city, surfaces), *street});
+}
+
+/// A point inside, in the middle of the largest triangle; nothing for what is no polygon.
+std::optional<Vec2> PointIn(const Footprint& footprint) {
+  const auto polygon = grammar::PolygonFrom(footprint.rings);
+  if (!polygon) return std::nullopt;
+  std::vector<Vec2> corners = polygon->outer;
+  for (const grammar::Ring& hole : polygon->holes) {
+    corners.insert(corners.end(), hole.begin(), hole.end());
+  }
+  const std::vector<uint32_t> triangles = grammar::Triangulate(*polygon);
+  std::optional<Vec2> middle;
+  double largest = 0;
+  for (size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const Vec2 &a = corners[triangles[i]], &b = corners[triangles[i + 1]],
+               &c = corners[triangles[i + 2]];
+    const double area = std::abs(Cross(b - a, c - a));
+    if (area <= largest) continue;
+    largest = area;
+    middle = (a + b + c) / 3.0;
+  }
+  return middle;
+}
+
+bool StandsOn(const Footprint& footprint, const std::vector<Footprint>& grounds) {
+  const auto point = PointIn(footprint);
+  return point && std::any_of(grounds.begin(), grounds.end(), [&](const Footprint& ground) {
+           const auto polygon = grammar::PolygonFrom(ground.rings);
+           return polygon && grammar::Contains(*polygon, *point);
+         });
+}
+
+using Grounds = std::map<std::string, std::vector<Footprint>>;
+
+/// Whether a part of a building stands on ground that the building itself has, as in files that
+/// give a building's outline and, beside it, its parts as solids.
+bool IsOnItsBuilding(const Footprint& footprint, const Json& object, const Grounds& grounds) {
+  const Json& parents = At(object, "parents");
+  if (!parents.is_array()) return false;
+  return std::any_of(parents.begin(), parents.end(), [&](const Json& parent) {
+    const auto found = parent.is_string() ? grounds.find(parent.get<std::string>()) : grounds.end();
+    return found != grounds.end() && StandsOn(footprint, found->second);
+  });
 }
 
 }  // namespace
 
-Result<std::vector<Footprint>> CityJsonFootprints(const Json& json) {
-  const auto city = VerticesFrom(json);
+Result<std::vector<Footprint>> CityJsonFootprints(const Json& json, const Json& transform) {
+  const auto city = VerticesFrom(json, transform);
   if (!city) return Fail(city);
   const Json& objects = At(json, "CityObjects");
   if (!objects.is_object()) return tl::unexpected<Error>(Malformed("no CityObjects"));
-  std::vector<Footprint> all;
+  Grounds grounds;
   for (const auto& [name, object] : objects.items()) {
     auto footprints = ObjectFootprints(*city, name, object);
     if (!footprints) return footprints;
-    std::move(footprints->begin(), footprints->end(), std::back_inserter(all));
+    grounds.emplace(name, std::move(*footprints));
+  }
+  std::vector<Footprint> all;
+  for (const auto& [name, footprints] : grounds) {
+    std::copy_if(footprints.begin(), footprints.end(), std::back_inserter(all),
+                 [&, &object = objects[name]](const Footprint& footprint) {
+                   return !IsOnItsBuilding(footprint, object, grounds);
+                 });
   }
   return all;
 }

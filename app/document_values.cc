@@ -90,6 +90,7 @@ std::string JsonOf(const grammar::Item& planar) {
   Json json = {{"origin", JsonOf(s.origin)}, {"x", JsonOf(s.x)},
                {"y", JsonOf(s.y)},           {"z", JsonOf(s.z)},
                {"size", JsonOf(s.size)},     {"facing", JsonOf(planar.facing)}};
+  if (planar.street_deg) json["street_deg"] = *planar.street_deg;
   if (planar.polygon) {
     json["rings"] = Json::array({JsonOf(planar.polygon->outer)});
     for (const grammar::Ring& hole : planar.polygon->holes) json["rings"].push_back(JsonOf(hole));
@@ -108,6 +109,9 @@ Result<grammar::Item> PlanarItemFrom(std::string_view text) {
   reader.Read("z", &item.scope.z);
   reader.Read("size", &item.scope.size);
   reader.Read("facing", &item.facing);
+  if (json->contains("street_deg")) {
+    item.street_deg = static_cast<float>(reader.Number("street_deg"));
+  }
   if (!reader.result) return Fail(reader.result);
   const Json& rings = Member(*json, "rings");
   if (rings.is_null()) return item;

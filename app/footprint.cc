@@ -11,10 +11,10 @@ namespace {
 
 using Footprints = std::vector<Footprint>;
 
-/// A file all of whose coordinates could be degrees, and that is smaller than this, is in degrees:
-/// no lot is half a metre wide.
+/// A file of GeoJSON whose coordinates could all be degrees, and none of whose lots is wider than
+/// this, is in degrees: no lot is half a metre wide.
 constexpr double kSmallestExtent_m = 0.5;
-constexpr int kDeepestGeoJson = 32;
+constexpr double kWidestZone_deg = 6;  ///< of UTM
 
 const Json* Member(const Json& object, const char* name) {
   if (!object.is_object()) return nullptr;
@@ -27,124 +27,137 @@ std::string TypeOf(const Json& object) {
   return type != nullptr && type->is_string() ? type->get<std::string>() : "";
 }
 
-/// The text or number under `key`, else the fallback.
-std::string NameIn(const Json& object, const char* key, std::string fallback) {
-  const Json* id = Member(object, key);
-  if (id == nullptr) return fallback;
-  if (id->is_string()) return id->get<std::string>();
-  return id->is_number() ? id->dump() : fallback;
+/// Which projection in metres fits a place in degrees: UTM's zone, by its EPSG number.
+int UtmOf(const Vec2& place) {
+  const int zone = static_cast<int>(std::floor((place.x + 180) / kWidestZone_deg)) % 60 + 1;
+  return (place.y < 0 ? 32700 : 32600) + zone;
 }
 
-Result<Footprint> FootprintFrom(const Json& rings, std::string name) {
-  if (!rings.is_array() || rings.empty()) {
-    return Fail(ErrorCode::kBadText, fmt::format("lot '{}' has no list of rings", name));
+/// GeoJSON says degrees unless both sides know better; we take metres and refuse what can't be.
+Result<void> CheckMetres(const Footprints& footprints) {
+  Vec2 low(1e300), high(-1e300);
+  double widest = 0;
+  for (const Footprint& footprint : footprints) {
+    Vec2 own_low(1e300), own_high(-1e300);
+    for (const Vec2& p : footprint.rings.front()) {
+      own_low = glm::min(own_low, p);
+      own_high = glm::max(own_high, p);
+    }
+    widest = std::max({widest, own_high.x - own_low.x, own_high.y - own_low.y});
+    low = glm::min(low, own_low);
+    high = glm::max(high, own_high);
   }
-  Footprint footprint{std::move(name), {}};
-  for (const Json& ring : rings) {
-    auto points = RingFrom(ring, fmt::format("a ring of lot '{}'", footprint.name));
-    if (!points) return Fail(points);
-    footprint.rings.push_back(std::move(*points));
-  }
-  return footprint;
+  const bool like_degrees = low.x >= -180 && high.x <= 180 && low.y >= -90 && high.y <= 90;
+  if (widest >= kSmallestExtent_m || !like_degrees) return {};
+  return Fail(ErrorCode::kBadNumber, "these coordinates look like degrees, not metres",
+              fmt::format("project the file to metres first: ogr2ogr -t_srs EPSG:{} out.geojson "
+                          "in.geojson",
+                          UtmOf((low + high) * 0.5)));
 }
 
-Result<Footprint> LineFrom(std::string_view line, std::string_view file, int number) {
+/// Takes in one JSON value after the other: a file's only one, or those of its lines.
+class Reader {
+ public:
+  explicit Reader(std::string_view file) : file_(file) {}
+
+  /// `name` is for a lot that has none of its own.
+  Result<void> Add(const Json& value, std::string name) {
+    const std::string type = TypeOf(value);
+    if (Member(value, "rings") != nullptr) return AddRings(value, std::move(name));
+    if (type == "CityJSON" || type == "CityJSONFeature") return AddCity(value, type);
+    if (!IsGeoJson(type)) {
+      return Fail(ErrorCode::kBadText, "this holds no lots",
+                  "lots are lines with \"rings\", GeoJSON polygons in metres, or CityJSON");
+    }
+    is_geo_json_ = true;
+    return AddGeoJson(value, &footprints_);
+  }
+
+  Result<Footprints> Finish() && {
+    if (footprints_.empty()) {
+      return Fail(ErrorCode::kNothingMade, fmt::format("{} holds no lots", file_),
+                  "polygons of GeoJSON and buildings of CityJSON are lots");
+    }
+    if (is_geo_json_) {
+      if (const auto metres = CheckMetres(footprints_); !metres) return Fail(metres);
+    }
+    return std::move(footprints_);
+  }
+
+ private:
+  Result<void> AddRings(const Json& value, std::string name) {
+    if (const Json* id = Member(value, "id")) {
+      if (id->is_string()) name = id->get<std::string>();
+      if (id->is_number()) name = id->dump();
+    }
+    const auto street = StreetIn(value, name);
+    if (!street) return Fail(street);
+    auto rings = RingsFrom(value["rings"], name);
+    if (!rings) return Fail(rings);
+    footprints_.push_back({std::move(name), std::move(*rings), 0, *street});
+    return {};
+  }
+
+  /// The first line of a CityJSONSeq is a CityJSON object that has what its features share.
+  Result<void> AddCity(const Json& value, const std::string& type) {
+    const Json* own = Member(value, "transform");
+    if (type == "CityJSON") transform_ = own != nullptr ? *own : Json();
+    has_header_ = has_header_ || type == "CityJSON";
+    if (!has_header_) {
+      return Fail(ErrorCode::kBadText, "a CityJSONFeature stands before any CityJSON object",
+                  "the first line of a CityJSONSeq says how vertices are placed");
+    }
+    auto city = CityJsonFootprints(value, transform_);
+    if (!city) return Fail(city);
+    std::move(city->begin(), city->end(), std::back_inserter(footprints_));
+    return {};
+  }
+
+  std::string_view file_;
+  Footprints footprints_;
+  Json transform_;
+  bool has_header_ = false, is_geo_json_ = false;
+};
+
+/// An error that has no place in its text names the file, or the line of it.
+tl::unexpected<Error> In(std::string_view where, Error error) {
+  if (!error.place) error.message = fmt::format("{}: {}", where, error.message);
+  return tl::unexpected<Error>(std::move(error));
+}
+
+Result<void> AddLine(std::string_view line, std::string_view file, int number, Reader* reader) {
   auto json = ParseJson(line, file);
   if (!json) {
     Error error = json.error();
     if (error.place) error.place->line = number;
     return tl::unexpected<Error>(std::move(error));
   }
-  const Json* rings = Member(*json, "rings");
-  if (rings == nullptr) {
-    return Fail(ErrorCode::kBadText, fmt::format("{}:{}: no \"rings\" in this line", file, number),
-                "each line is {\"id\": …, \"rings\": [[[east, north], …], …]}");
-  }
-  return FootprintFrom(*rings, NameIn(*json, "id", fmt::format("line {}", number)));
+  auto added = reader->Add(*json, fmt::format("line {}", number));
+  if (!added) return In(fmt::format("{}:{}", file, number), added.error());
+  return {};
 }
 
-Result<Footprints> LinesFrom(std::string_view text, std::string_view file) {
-  Footprints footprints;
+Result<void> AddLines(std::string_view text, std::string_view file, Reader* reader) {
+  constexpr std::string_view kBlank = " \t\r\x1e";  // a record of RFC 8142 begins with the last
   int number = 0;
   for (size_t start = 0; start < text.size();) {
     const size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view line = text.substr(start, end - start);
+    std::string_view line = text.substr(start, end - start);
     start = end + 1;
     ++number;
-    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    auto footprint = LineFrom(line, file, number);
-    if (!footprint) return Fail(footprint);
-    footprints.push_back(std::move(*footprint));
-  }
-  return footprints;
-}
-
-Result<void> AddGeoJson(const Json& json, const std::string& name, int depth, Footprints* all);
-
-Result<void> AddEach(const Json& object, const char* list, const std::string& name, int depth,
-                     Footprints* all) {
-  const Json* items = Member(object, list);
-  if (items == nullptr || !items->is_array()) {
-    return Fail(ErrorCode::kBadText, fmt::format("{} has no list \"{}\"", TypeOf(object), list));
-  }
-  for (const Json& item : *items) {
-    if (auto added = AddGeoJson(item, name, depth + 1, all); !added) return added;
+    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
+    if (line.empty()) continue;
+    if (auto added = AddLine(line, file, number, reader); !added) return added;
   }
   return {};
 }
 
-Result<void> AddPolygon(const Json* rings, std::string name, Footprints* all) {
-  auto footprint = FootprintFrom(rings != nullptr ? *rings : Json(), std::move(name));
-  if (!footprint) return Fail(footprint);
-  all->push_back(std::move(*footprint));
-  return {};
-}
-
-/// Points and lines are no lots and are passed over.
-Result<void> AddGeoJson(const Json& json, const std::string& name, int depth, Footprints* all) {
-  if (depth > kDeepestGeoJson) return Fail(ErrorCode::kLimitReached, "GeoJSON nested too deep");
-  const std::string type = TypeOf(json);
-  if (type == "FeatureCollection") return AddEach(json, "features", name, depth, all);
-  if (type == "GeometryCollection") return AddEach(json, "geometries", name, depth, all);
-  if (type == "Feature") {
-    const Json* geometry = Member(json, "geometry");
-    const Json* properties = Member(json, "properties");
-    std::string id = fmt::format("{}", all->size());
-    if (properties != nullptr) id = NameIn(*properties, "id", id);
-    if (geometry == nullptr || geometry->is_null()) return {};
-    return AddGeoJson(*geometry, NameIn(json, "id", id), depth + 1, all);
-  }
-  const Json* coordinates = Member(json, "coordinates");
-  if (type == "Polygon") return AddPolygon(coordinates, name, all);
-  if (type != "MultiPolygon" || coordinates == nullptr) return {};
-  for (const Json& polygon : *coordinates) {
-    if (auto added = AddPolygon(&polygon, name, all); !added) return added;
-  }
-  return {};
-}
-
-/// GeoJSON says degrees unless both sides know better; we take metres and refuse what can't be.
-Result<void> CheckMetres(const Footprints& footprints) {
-  Vec2 low(1e300), high(-1e300);
-  for (const Footprint& footprint : footprints) {
-    for (const Vec2& p : footprint.rings.front()) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
-  const bool small = std::max(high.x - low.x, high.y - low.y) < kSmallestExtent_m;
-  const bool like_degrees = low.x >= -180 && high.x <= 180 && low.y >= -90 && high.y <= 90;
-  if (!small || !like_degrees) return {};
-  return Fail(ErrorCode::kBadNumber, "these coordinates look like degrees, not metres",
-              "project the file to metres first: ogr2ogr -t_srs EPSG:32633 out.geojson in.geojson");
-}
-
-bool IsGeoJson(const std::string& type) {
-  for (const char* known :
-       {"FeatureCollection", "Feature", "GeometryCollection", "Polygon", "MultiPolygon"}) {
-    if (type == known) return true;
-  }
-  return false;
+/// Whether a text is lines: its first is a whole object of its own.
+bool IsLines(std::string_view text) {
+  const size_t start = std::min(text.find_first_not_of(" \t\r\n\x1e"), text.size());
+  const Json first = Json::parse(text.substr(start, text.find('\n', start) - start), nullptr,
+                                 /*allow_exceptions=*/false);
+  return first.is_object();
 }
 
 }  // namespace
@@ -167,38 +180,41 @@ Result<std::vector<Vec2>> RingFrom(const Json& ring, std::string_view what) {
   return points;
 }
 
+Result<std::vector<std::vector<Vec2>>> RingsFrom(const Json& rings, std::string_view lot) {
+  if (!rings.is_array() || rings.empty()) {
+    return Fail(ErrorCode::kBadText, fmt::format("lot '{}' has no list of rings", lot));
+  }
+  std::vector<std::vector<Vec2>> all;
+  for (const Json& ring : rings) {
+    auto points = RingFrom(ring, fmt::format("a ring of lot '{}'", lot));
+    if (!points) return Fail(points);
+    all.push_back(std::move(*points));
+  }
+  return all;
+}
+
+Result<std::optional<double>> StreetIn(const Json& properties, std::string_view lot) {
+  constexpr double kTurn_deg = 360;
+  const Json* given = Member(properties, "street_deg");
+  if (given == nullptr || given->is_null()) return std::optional<double>();
+  const std::string what = fmt::format("street_deg of lot '{}'", lot);
+  const auto street = NumberFrom(*given, what);
+  if (!street) return Fail(street);
+  if (std::abs(*street) <= kTurn_deg) return std::optional<double>(*street);
+  return Fail(ErrorCode::kBadNumber, fmt::format("{} is {}", what, *street),
+              "0: the street lies in the north, 90: in the east; from -360 to 360");
+}
+
 Result<Footprints> FootprintsFrom(std::string_view text, std::string_view file) {
-  // A line that is a whole object of its own begins a file of lines; any other JSON is one value.
-  const size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  const Json first = Json::parse(text.substr(start, text.find('\n', start) - start), nullptr,
-                                 /*allow_exceptions=*/false);
-  Footprints footprints;
-  if (Member(first, "rings") != nullptr) {
-    auto lines = LinesFrom(text, file);
-    if (!lines) return lines;
-    footprints = std::move(*lines);
+  Reader reader(file);
+  if (IsLines(text)) {
+    if (const auto added = AddLines(text, file, &reader); !added) return Fail(added);
   } else {
     const auto json = ParseJson(text, file);
     if (!json) return Fail(json);
-    const std::string type = TypeOf(*json);
-    if (type == "CityJSON") {
-      auto city = CityJsonFootprints(*json);
-      if (!city) return city;
-      footprints = std::move(*city);
-    } else if (IsGeoJson(type)) {
-      const auto added = AddGeoJson(*json, "0", 0, &footprints);
-      if (!added) return Fail(added);
-      if (const auto metres = CheckMetres(footprints); !footprints.empty() && !metres) {
-        return Fail(metres);
-      }
-    } else {
-      return Fail(ErrorCode::kBadText, fmt::format("{} holds no lots", file),
-                  "lots are lines with \"rings\", GeoJSON polygons in metres, or CityJSON");
-    }
+    if (const auto added = reader.Add(*json, "0"); !added) return In(file, added.error());
   }
-  if (!footprints.empty()) return footprints;
-  return Fail(ErrorCode::kNothingMade, fmt::format("{} holds no lots", file),
-              "polygons of GeoJSON and buildings of CityJSON are lots");
+  return std::move(reader).Finish();
 }
 
 }  // namespace parti::app

@@ -119,7 +119,9 @@ Result<Lot> LotFrom(const Footprint& footprint, const Vec3& origin) {
       ring.emplace_back(p.x - origin.x, footprint.height_m - origin.z, -(p.y - origin.y));
     }
   }
-  return LotFrom(rings, footprint.name, Vec2(origin));
+  auto lot = LotFrom(rings, footprint.name, Vec2(origin));
+  if (lot && footprint.street_deg) lot->item.street_deg = static_cast<float>(*footprint.street_deg);
+  return lot;
 }
 
 }  // namespace

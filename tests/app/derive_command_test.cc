@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/text_file.h"
@@ -108,6 +109,27 @@ TEST(DeriveCommand, ADocumentDerivesTheSameAgain) {
               return query;
             }())
                 .output);
+}
+
+TEST(DeriveCommand, TheFrontIsOnTheStreetThatAFileGivesAndADocumentKeepsIt) {
+  const std::string rules = File("Lot --> setback(2) { front: Garden | remainder: Plot }");
+  for (const char* street : {"0", "90", "180", "270"}) {
+    const std::string lots = File(
+        R"({"type":"Feature","properties":{"street_deg":)" + std::string(street) +
+            R"(},"geometry":{"type":"Polygon","coordinates":[[[0,0],[20,0],[20,12],[0,12]]]}})",
+        "/lots.geojson");
+    const std::string document = lots + ".parti";
+    ASSERT_EQ(RunParti({"derive", rules, "--lot", lots, "--save", document}).status, 0);
+    const std::string side = std::map<std::string, std::string>{
+        {"0", "box(9,0,-12,2,1,1)"},
+        {"90", "box(19,0,-7,1,1,2)"},
+        {"180", "box(9,0,-1,2,1,1)"},
+        {"270",
+         "box(0,0,-7,1,1,2)"}}.at(street);
+    const std::string query = ".Garden:intersects(" + side + ")";
+    EXPECT_EQ(Selected(rules, query, {"--lot", lots}), 1u) << street;
+    EXPECT_EQ(Selected(document, query), 1u) << street;
+  }
 }
 
 TEST(DeriveCommand, ImportsOfAFolderAboveAreFoundAndKept) {

@@ -46,6 +46,23 @@ TEST(DocumentValuesTest, AWholeRectangleStaysWithoutAnOutline) {
   EXPECT_EQ(back->polygon, nullptr);
 }
 
+TEST(DocumentValuesTest, ALotKeepsItsStreetAndOneWithoutHasNone) {
+  grammar::Item item;
+  item.scope.size = {3, 4, 0};
+  EXPECT_FALSE(PlanarItemFrom(JsonOf(item))->street_deg);
+  item.street_deg = 33.3F;
+  for (const auto& polygon :
+       {std::shared_ptr<grammar::Polygon>(),
+        std::make_shared<grammar::Polygon>(grammar::Polygon{{{0, 0}, {3, 0}, {3, 4}}, {}})}) {
+    item.polygon = polygon;
+    const auto back = PlanarItemFrom(JsonOf(item));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->street_deg, item.street_deg);
+  }
+  EXPECT_FALSE(PlanarItemFrom(R"({"origin":[0,0,0],"x":[1,0,0],"y":[0,1,0],"z":[0,0,1],)"
+                              R"("size":[3,4,0],"facing":[0,0,1],"street_deg":"north"})"));
+}
+
 TEST(DocumentValuesTest, AnOutlineThatCrossesItselfIsRefused) {
   grammar::Item item;
   item.scope.size = {1, 1, 0};

@@ -1,5 +1,6 @@
 #include "app/lot.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 namespace parti::app {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string ErrorOf(std::string_view text) {
@@ -171,6 +173,115 @@ TEST(Lot, CityJsonGroundsAreMergedAlongTheirEdges) {
   EXPECT_TRUE(HasCorner(lots->at(0), Vec3(10, 0, -10)));
   EXPECT_EQ(lots->at(0).origin, Vec2(1000, 2000));
   ExpectUp(lots->at(0));
+}
+
+constexpr std::string_view kBoxVertices =
+    "[[0,0,0],[10,0,0],[10,8,0],[0,8,0],[0,0,6],[10,0,6],[10,8,6],[0,8,6]]";
+constexpr std::string_view kBoxShell =
+    "[[[3,2,1,0]],[[4,5,6,7]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]]]";
+
+TEST(Lot, APartOnTheGroundOfItsBuildingIsNoLotOfItsOwn) {
+  const auto city = [](std::string_view outline) {
+    return fmt::format(
+        R"({{"type":"CityJSON","version":"1.1","vertices":{},"CityObjects":{{
+        "b":{{"type":"Building","children":["b-0"],"geometry":[
+          {{"type":"MultiSurface","lod":"0","boundaries":[[{}]]}}]}},
+        "b-0":{{"type":"BuildingPart","parents":["b"],"geometry":[
+          {{"type":"Solid","lod":"1.2","boundaries":[{}]}}]}}}}}})",
+        kBoxVertices, outline, kBoxShell);
+  };
+  const auto lots = LotsIn(city("[0,1,2,3]"));
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  ASSERT_EQ(lots->size(), 1u);
+  EXPECT_EQ(lots->at(0).name, "b");
+  // A wall that stands upright covers no ground: then the part is the lot.
+  const auto apart = LotsIn(city("[0,1,5,4]"));
+  ASSERT_TRUE(apart) << FormatError(apart.error());
+  ASSERT_EQ(apart->size(), 1u);
+  EXPECT_EQ(apart->at(0).name, "b-0");
+}
+
+TEST(Lot, GeometriesWithoutSurfacesArePassedOver) {
+  for (const char* other : {R"({"type":"MultiPoint","lod":"0","boundaries":[0,1]})",
+                            R"({"type":"MultiLineString","lod":"0","boundaries":[[0,1,2]]})",
+                            R"({"type":"GeometryInstance","template":0,"boundaries":[0]})"}) {
+    const auto lots = LotsIn(fmt::format(
+        R"({{"type":"CityJSON","vertices":{},"CityObjects":{{"b":{{"type":"Building","geometry":[
+        {},{{"type":"Solid","lod":"1","boundaries":[{}]}}]}}}}}})",
+        kBoxVertices, other, kBoxShell));
+    ASSERT_TRUE(lots) << other << FormatError(lots.error());
+    EXPECT_EQ(lots->size(), 1u) << other;
+  }
+}
+
+TEST(Lot, FeaturesOfSequencesAreReadLineByLine) {
+  const auto feature = [](std::string_view id, int x) {
+    return fmt::format(
+        R"({{"type":"CityJSONFeature","id":"{0}","CityObjects":{{"{0}":{{"type":"Building",)"
+        R"("geometry":[{{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,2]]]}}]}}}},)"
+        R"("vertices":[[{1},0,0],[{2},0,0],[{1},80,0]]}})",
+        id, x, x + 100);
+  };
+  const std::string header = R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
+                             R"("transform":{"scale":[0.1,0.1,0.1],"translate":[500,700,0]}})";
+  const auto city = LotsIn(header + "\r\n" + feature("a", 0) + "\r\n" + feature("b", 200) + "\n");
+  ASSERT_TRUE(city) << FormatError(city.error());
+  ASSERT_EQ(city->size(), 2u);
+  EXPECT_EQ(city->at(1).name, "b");
+  EXPECT_EQ(city->at(1).origin, Vec2(500, 700));
+  EXPECT_TRUE(HasCorner(city->at(1), Vec3(30, 0, 0)));
+  EXPECT_THAT(ErrorIn(feature("a", 0)), HasSubstr("before any CityJSON object"));
+
+  const std::string square =
+      R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9]]]}})";
+  for (const std::string& record : {std::string(), std::string("\x1e")}) {
+    const auto lots = LotsIn(record + square + "\n\n" + record + square + "\n");
+    ASSERT_TRUE(lots) << FormatError(lots.error());
+    EXPECT_EQ(lots->size(), 2u);
+  }
+  EXPECT_THAT(ErrorIn(square + "\n{\"type\":\"Polygon\",\"coordinates\":[[7]]}\n"),
+              HasSubstr("lots.json:2: a ring of lot '0' holds something that is no point"));
+}
+
+TEST(Lot, EmptyPolygonsAreNone) {
+  const auto lots = LotsIn(R"({"type":"GeometryCollection","geometries":[
+    {"type":"Polygon","coordinates":[]},{"type":"MultiPolygon","coordinates":[]},
+    {"type":"MultiPolygon","coordinates":[[],[[[0,0],[9,0],[9,9]]]]}]})");
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  EXPECT_EQ(lots->size(), 1u);
+  EXPECT_THAT(ErrorIn(R"({"type":"MultiPolygon","coordinates":null})"),
+              HasSubstr("no list of polygons"));
+}
+
+TEST(Lot, DegreesAreToldByTheSizeOfLotsHoweverFarTheyLieApart) {
+  const auto far = [](int north) {
+    return fmt::format(R"({{"type":"MultiPolygon","coordinates":[
+        [[[-70.001,{0}.001],[-70,{0}.001],[-70,{0}.002]]],
+        [[[-69.001,{0}.5],[-69,{0}.5],[-69,{0}.501]]]]}})",
+                       north);
+  };
+  EXPECT_THAT(ErrorIn(far(-33)), AllOf(HasSubstr("look like degrees"), HasSubstr("EPSG:32719")));
+  EXPECT_THAT(ErrorIn(far(33)), HasSubstr("EPSG:32619"));
+}
+
+TEST(Lot, TheStreetIsWhereTheFileSaysItIs) {
+  const std::string ring = "[[0,0],[9,0],[9,9]]";
+  const std::string feature = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[)" +
+                              ring + R"(]},"properties":{"street_deg":)";
+  for (const std::string& text :
+       {feature + "-90.5}}", "{\"street_deg\":-90.5,\"rings\":[" + ring + "]}",
+        R"({"type":"CityJSON","vertices":[[0,0,0],[9,0,0],[9,9,0]],"CityObjects":{"l":{
+            "type":"LandUse","attributes":{"street_deg":-90.5},
+            "geometry":[{"type":"MultiSurface","boundaries":[[[0,1,2]]]}]}}})" +
+            std::string()}) {
+    const auto lots = LotsIn(text);
+    ASSERT_TRUE(lots) << FormatError(lots.error());
+    EXPECT_EQ(lots->at(0).item.street_deg, -90.5F) << text;
+  }
+  EXPECT_FALSE(LotsIn(feature + "null}}")->at(0).item.street_deg);
+  EXPECT_THAT(ErrorIn(feature + "\"north\"}}"),
+              HasSubstr("lots.json:1: street_deg of lot '0' is not a number"));
+  EXPECT_THAT(ErrorIn(feature + "400}}"), HasSubstr("street_deg of lot '0' is 400"));
 }
 
 TEST(Lot, DamagedCityJsonIsExplained) {
