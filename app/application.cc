@@ -64,7 +64,8 @@ Application::Application(Display* display, SessionThread* session, ApplicationOp
         if (path.empty()) return {};
         return WriteSettings(settings, path);
       }),
-      snapshot_(session->Newest()) {}
+      snapshot_(session->Newest()),
+      aside_(options_.stepping_aside) {}
 
 Application::~Application() {
   // What is drawn with a context goes while it is current.
@@ -124,24 +125,30 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   if (auto tried = trials_.TakeNewest()) picture_->SetState(std::move(tried));
   picture_->Update(canvas_.get());
   if (sync_at_s_ && Now_s() >= *sync_at_s_) SyncView();
-  // While a line is being drawn, panels have stepped aside and wait.
+  // While a line is being drawn, panels wait.
   const bool stale = panels_stale_ || word_stale_;
   if (!panel_events_.empty() || (stale && !ink_->drawing())) RunPanels({});
-  return DrawFrame();
+  if (aside_.Step(Now_s())) canvas_->SetPanelOpacities(aside_.opacities());
+  if (auto drawn = DrawFrame(); !drawn) return drawn;
+  // What its beginning changes, a word that goes or a sheet that closes, comes after its first ink.
+  if (drag_begun_) RunPanels({});
+  return {};
 }
 
 bool Application::Settled() const {
   return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
          !canvas_->NeedsDraw() && !sync_at_s_ &&
-         !((panels_stale_ || word_stale_) && !ink_->drawing()) && !display_->HasNews() &&
-         fed_.empty() && !folders_.busy() && !trials_.busy() && !queries_.busy() &&
-         !placing_.busy();
+         !((panels_stale_ || word_stale_) && !ink_->drawing()) && !drag_begun_ &&
+         !aside_.next_s() && !display_->HasNews() && fed_.empty() && !folders_.busy() &&
+         !trials_.busy() && !queries_.busy() && !placing_.busy();
 }
 
 void Application::Wait(double wait_s, std::span<const int> also) const {
   if (display_->HasNews() || !fed_.empty() || (canvas_->NeedsDraw() && display_->CanDraw()))
     wait_s = 0;
-  if (sync_at_s_) wait_s = std::min(wait_s, std::max(0.0, *sync_at_s_ - Now_s()));
+  for (const auto& due_s : {sync_at_s_, aside_.next_s()}) {
+    if (due_s) wait_s = std::min(wait_s, std::max(0.0, *due_s - Now_s()));
+  }
   std::vector<pollfd> fds;
   for (const int fd : display_->fds()) fds.push_back({fd, POLLIN, 0});
   for (const int fd : picture_->fds()) fds.push_back({fd, POLLIN, 0});
@@ -321,7 +328,15 @@ void Application::Take(const DragAct& act) {
   pen_.position_px = act.px;
   pen_.down = act.phase == DragPhase::kBegin || act.phase == DragPhase::kMove;
   if (act.phase != DragPhase::kMove) panels_stale_ = true;
-  if (act.phase == DragPhase::kBegin) SetPenWord("");
+  if (act.phase == DragPhase::kBegin) {
+    SetPenWord("");
+    drag_begun_ = true;
+  }
+  if (pen_.down) {
+    aside_.PenAt(act.px, panel_output_->reach_px, display_->scale(), Now_s());
+  } else {
+    aside_.PenLifted(Now_s());
+  }
   switch (act.act) {
     case PenAct::kDraw:
       if (act.phase == DragPhase::kBegin) SyncView();
@@ -429,7 +444,7 @@ void Application::Do(ViewRequest view) {
 bool Application::OverPanel(const Vec2& px) {
   if (playing_) return false;
   if (panels_stale_ || !panel_events_.empty()) RunPanels({});
-  return panel_output_->holds_pointer || panel_output_->IsOverSheet(px);
+  return panel_output_->holds_pointer || aside_.IsOverSheet(px);
 }
 
 /// A pointer that hovers beside the panels, as it did before, is nothing to them.
@@ -461,13 +476,15 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   std::vector<PanelEvent> all = std::move(panel_events_);
   panel_events_.clear();
   all.insert(all.end(), events.begin(), events.end());
-  panels_stale_ = word_stale_ = false;
+  panels_stale_ = word_stale_ = drag_begun_ = false;
   panel_output_ = &panels_->Frame(ViewForPanels(), {Now_s(), std::move(all)});
   if (panel_output_->letters != letters_ && panel_output_->letters) {
     letters_ = panel_output_->letters;
     static_cast<void>(canvas_->SetPanelTexture(0, *letters_));
   }
   if (panel_output_->changed) canvas_->SetPanels(panel_output_->mesh);
+  aside_.SetSheets(panel_output_->sheets);
+  canvas_->SetPanelOpacities(aside_.opacities());
   if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
   preview_ = panel_output_->preview;
   overlay_stale_ |= queries_.Set(panel_output_->query_preview, snapshot_->state);

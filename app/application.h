@@ -23,6 +23,7 @@
 #include "app/session_thread.h"
 #include "app/settings.h"
 #include "app/shortcuts.h"
+#include "app/stepping_aside.h"
 #include "app/trial.h"
 
 namespace parti::app {
@@ -32,6 +33,7 @@ struct ApplicationOptions {
   Settings settings;
   std::string settings_path;  ///< "": changes are not kept
   UserFolders folders = {};   ///< of drafts and recent files; "" for none
+  SteppingAsideParams stepping_aside = {};
   std::function<void(const SessionSnapshot&)> on_snapshot;  ///< told of each; may be empty
 };
 
@@ -139,7 +141,9 @@ class Application {
   std::vector<InputEvent> fed_;
   std::vector<PanelEvent> panel_events_;  // since the last frame of panels
   bool panels_stale_ = true;
-  bool word_stale_ = false;         // the one beside the pen moved or changed
+  bool word_stale_ = false;  // the one beside the pen moved or changed
+  bool drag_begun_ = false;  // since then
+  SteppingAside aside_;
   bool pointer_is_panels_ = false;  // what they were told last
   PointerMode mode_ = PointerMode::kDraw;
   PanelPen pen_;

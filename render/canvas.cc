@@ -148,6 +148,14 @@ void Canvas::SetPanels(const UiMesh& mesh) {
   mesh_sent_ = false;
 }
 
+void Canvas::SetPanelOpacities(std::span<const float> opacities) {
+  for (const UiShape& shape : panel_shapes_) {
+    const uint32_t part = shape.command.part;
+    if (OpacityOf(part, opacities) != OpacityOf(part, panel_opacities_)) fresh_.Add(shape.pixels);
+  }
+  panel_opacities_.assign(opacities.begin(), opacities.end());
+}
+
 Result<void> Canvas::SetPanelTexture(uint32_t id, const Image& image) {
   for (const UiShape& shape : panel_shapes_) {
     if (shape.command.texture == id) fresh_.Add(shape.pixels);
@@ -178,7 +186,7 @@ Result<Damage> Canvas::Draw(GLuint framebuffer, int age) {
   gl_->Enable(GL_BLEND);
   layers_.marks.Draw(groups_below_, repair, framebuffer);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  panels_.Draw(repair);
+  panels_.Draw(repair, panel_opacities_);
   layers_.marks.Draw(groups_above_, repair, framebuffer);
   gl_->Disable(GL_BLEND);
   gl_->Disable(GL_SCISSOR_TEST);

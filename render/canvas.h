@@ -69,6 +69,9 @@ class Canvas {
 
   /// All panels, each time; what stayed the same is not drawn again. O(indices).
   void SetPanels(const UiMesh& mesh);
+  /// How much is seen of each part of the panels, by its number, [0, 1]; 1 for parts without one.
+  /// Triangles stay where they are: no mesh is made or sent. O(commands).
+  void SetPanelOpacities(std::span<const float> opacities);
   /// See UiLayer; panels are damaged.
   Result<void> SetPanelTexture(uint32_t id, const Image& image);
 
@@ -117,6 +120,7 @@ class Canvas {
   std::vector<MarkGroup> groups_below_, groups_above_;
   std::vector<UiShape> panel_shapes_;
   UiMesh mesh_;
+  std::vector<float> panel_opacities_;
   bool mesh_sent_ = true;
   Damage fresh_;  ///< since the last Draw, but for ink
   DamageHistory history_;

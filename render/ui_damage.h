@@ -2,6 +2,8 @@
 // Values only; drawing meshes is UiLayer's.
 #pragma once
 
+#include <span>
+
 #include "render/damage.h"
 #include "render/ui_mesh.h"
 
@@ -15,6 +17,11 @@ struct UiShape {
 
   bool operator==(const UiShape&) const = default;
 };
+
+/// Of a part of the panels; 1 where there is no number for it.
+inline float OpacityOf(uint32_t part, std::span<const float> opacities) {
+  return part < opacities.size() ? opacities[part] : 1;
+}
 
 /// One for each command. A command with indices or corners that the mesh doesn't have, or with
 /// corners that are not finite, shows nothing. O(indices).

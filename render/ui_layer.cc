@@ -89,10 +89,11 @@ void UiLayer::DrawCommand(const UiCommand& command, const PixelRect& rect, int h
                     reinterpret_cast<const void*>(command.first_index * sizeof(uint32_t)));
 }
 
-void UiLayer::Draw(const Damage& repair) const {
+void UiLayer::Draw(const Damage& repair, std::span<const float> opacities) const {
   bool begun = false;
   for (size_t i = 0; i < commands_.size(); ++i) {
-    if (!repair.Touches(pixels_[i])) continue;
+    const float opacity = OpacityOf(commands_[i].part, opacities);
+    if (opacity <= 0 || !repair.Touches(pixels_[i])) continue;
     if (!begun) {
       gl_->BlendEquation(GL_FUNC_ADD);
       gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -103,6 +104,7 @@ void UiLayer::Draw(const Damage& repair) const {
       gl_->BindVertexArray(array_);
       begun = true;
     }
+    program_.Set("opacity", opacity);
     for (const PixelRect& rect : repair.rects()) {
       const PixelRect drawn = Intersection(rect, pixels_[i]);
       if (!IsEmpty(drawn)) DrawCommand(commands_[i], drawn, repair.size().y);

@@ -26,8 +26,8 @@ class UiLayer {
   /// Sends the triangles. `shapes` are the mesh's.
   void SetMesh(const UiMesh& mesh, const std::vector<UiShape>& shapes);
   /// Draws what lies in `repair` into the bound framebuffer of this size. Commands whose texture
-  /// was never set draw nothing.
-  void Draw(const Damage& repair) const;
+  /// was never set draw nothing. opacities: of parts, as OpacityOf reads them.
+  void Draw(const Damage& repair, std::span<const float> opacities) const;
 
  private:
   UiLayer(const Gl& gl, GlProgram program);

@@ -25,6 +25,7 @@ struct UiCommand {
   uint32_t texture = 0;      ///< an id that the canvas was told of; its colours are multiplied
   uint32_t first_index = 0;  ///< into UiMesh::indices
   uint32_t index_count = 0;  ///< a multiple of 3
+  uint32_t part = 0;         ///< what it fades with: Canvas::SetPanelOpacities
 
   bool operator==(const UiCommand&) const = default;
 };

@@ -101,8 +101,9 @@ Result<std::optional<T>> Opened(const std::string& path) {
   return std::optional<T>(std::move(*opened));
 }
 
-ApplicationOptions UsersOptions() {
+ApplicationOptions UsersOptions(const Display& display) {
   ApplicationOptions with;
+  if (display.name() == "offscreen") with.stepping_aside.fade_s = 0;  // nobody sees it
   with.settings_path = SettingsPath();
   with.folders = UserFoldersFromEnvironment();
   auto settings = ReadSettings(with.settings_path);
@@ -158,7 +159,7 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   if (!log) return Fail(log);
   auto pipe = Opened<CommandPipe>(options.commands);
   if (!pipe) return Fail(pipe);
-  ApplicationOptions with = UsersOptions();
+  ApplicationOptions with = UsersOptions(*display);
   Result<void> logged;
   with.on_snapshot = [&](const SessionSnapshot& snapshot) {
     if (*log && logged) logged = (*log)->Note(snapshot);

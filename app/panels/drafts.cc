@@ -89,7 +89,7 @@ void DrawLeftDrafts(Ui* ui, Memory* memory) {
   const float height = std::min(measured.height() + 2 * pad, free.height());
   // Low, so that the ground is clear for the first outline.
   const Box box = BoxAt(free.middle_x() - width / 2, free.y1 - height, width, height);
-  if (!ui->BeginSheet("Drafts", box)) return;
+  ui->BeginSheet("Drafts", box);
   const Box list = ui->BeginList("list", box.Inset(pad), measured.height());
   Form form(ui, list, true);
   CardRows(ui, memory, &form);

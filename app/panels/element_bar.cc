@@ -95,7 +95,7 @@ void DrawElementBar(Ui* ui, Memory* memory) {
                              kButtons * (side + gap) + gap, 3 * side + 4 * gap, memory->layout.free,
                              ui->view().pen.position_px, ui->view().settings.left_handed,
                              ui->scale(), std::move(clear_of)});
-  if (!ui->BeginSheet("Element", sheet)) return;
+  ui->BeginSheet("Element", sheet);
   Box rest = sheet.Inset(gap);
   const Box head = rest.CutTop(side, gap);
   ui->Hairline(head);

@@ -1,11 +1,12 @@
 #include "app/panels/imgui_host.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <linux/input-event-codes.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace parti::app::panels {
@@ -52,7 +53,16 @@ render::PixelRect ClipOf(const ImVec4& clip, const ImVec2& size) {
   return {x0, y0, std::max(0, x1 - x0), std::max(0, y1 - y0)};
 }
 
-void Append(const ImDrawList& list, const ImVec2& size, render::UiMesh* mesh) {
+/// Lists that are no sheet's, as that of notes, fade with nothing.
+uint32_t PartOf(const ImDrawList& list, const std::vector<PanelSheet>& sheets) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(list._OwnerName);
+  const auto same = [&](const PanelSheet& sheet) { return sheet.name == window->RootWindow->Name; };
+  const auto found = window ? std::find_if(sheets.begin(), sheets.end(), same) : sheets.end();
+  return found == sheets.end() ? std::numeric_limits<uint32_t>::max()
+                               : static_cast<uint32_t>(found - sheets.begin());
+}
+
+void Append(const ImDrawList& list, const ImVec2& size, uint32_t part, render::UiMesh* mesh) {
   const auto base = static_cast<uint32_t>(mesh->vertices.size());
   for (const ImDrawVert& v : list.VtxBuffer) {
     mesh->vertices.push_back({{v.pos.x, v.pos.y}, {v.uv.x, v.uv.y}, v.col});
@@ -65,7 +75,7 @@ void Append(const ImDrawList& list, const ImVec2& size, render::UiMesh* mesh) {
       const auto at = static_cast<int>(command.IdxOffset + i);
       mesh->indices.push_back(base + command.VtxOffset + list.IdxBuffer[at]);
     }
-    mesh->commands.push_back({clip, 0, first, command.ElemCount});
+    mesh->commands.push_back({clip, 0, first, command.ElemCount, part});
   }
 }
 
@@ -144,12 +154,14 @@ void ImGuiHost::NewFrame(const Vec2& size_px, double step_s) {
   ImGui::NewFrame();
 }
 
-render::UiMesh ImGuiHost::Render() {
+render::UiMesh ImGuiHost::Render(const std::vector<PanelSheet>& sheets) {
   ImGui::Render();
   const ImDrawData* data = ImGui::GetDrawData();
   render::UiMesh mesh;
-  for (int i = 0; i < data->CmdListsCount; ++i)
-    Append(*data->CmdLists[i], data->DisplaySize, &mesh);
+  for (int i = 0; i < data->CmdListsCount; ++i) {
+    const ImDrawList& list = *data->CmdLists[i];
+    Append(list, data->DisplaySize, PartOf(list, sheets), &mesh);
+  }
   return mesh;
 }
 

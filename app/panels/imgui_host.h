@@ -4,6 +4,7 @@
 
 #include "app/panels/letters.h"
 #include "app/panels/panel_input.h"
+#include "app/panels/panel_output.h"
 #include "render/ui_mesh.h"
 
 struct ImGuiContext;
@@ -30,8 +31,9 @@ class ImGuiHost {
 
   /// size_px >= 1; step_s is clamped to what makes sense.
   void NewFrame(const Vec2& size_px, double step_s);
-  /// Ends the frame; its triangles, clipped to the view.
-  render::UiMesh Render();
+  /// Ends the frame; its triangles, clipped to the view. What lies in the n-th of these windows, or
+  /// in a window within it, is part n.
+  render::UiMesh Render(const std::vector<PanelSheet>& sheets);
 
  private:
   void FeedKey(const KeyEvent& key);

@@ -95,7 +95,7 @@ std::vector<KeyEvent> ScreenKeyboard::Press(const Vec2& at_px, const Box& box, d
 }
 
 void ScreenKeyboard::Draw(Ui* ui, const Box& box) const {
-  if (!ui->BeginSheet("Keyboard", box)) return;
+  ui->BeginSheet("Keyboard", box);
   for (const ScreenKey& key : Keys(box, ui->scale())) {
     const bool chosen = key.name == "Capitals" && page_ == Page::kCapital;
     const Ground ground = chosen              ? Ground::kChosen

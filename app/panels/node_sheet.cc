@@ -231,7 +231,7 @@ float NodeHeight(Ui* ui, const SelectionActionNode& node, float width) {
 }
 
 void DrawNode(Ui* ui, const SelectionActionNode& node, const Box& box) {
-  if (!ui->BeginSheet("Node", box)) return;
+  ui->BeginSheet("Node", box);
   Box rest = box.Inset(ui->U(kMeasures.gap));
   Box head = rest.CutTop(HeadHeight(ui), ui->U(8));
   ui->Hairline(head);

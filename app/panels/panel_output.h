@@ -38,6 +38,11 @@ using PanelCommand = std::variant<Command, DocumentRequest, ListFolder, ThrowAwa
 struct PanelSheet {
   std::string name;  ///< the part of its targets' names before the slash
   Vec2 low_px, high_px;
+
+  /// The lower and right edges are not its own.
+  bool Contains(const Vec2& px) const {
+    return px.x >= low_px.x && px.x < high_px.x && px.y >= low_px.y && px.y < high_px.y;
+  }
 };
 
 /// A thing that can be tapped, as tests and helpers for the blind know it.
@@ -75,17 +80,17 @@ struct PanelOutput {
   /// pointers.
   std::shared_ptr<const render::Image> letters;
 
-  std::vector<PanelSheet> sheets;    ///< that are shown, from back to front
+  std::vector<PanelSheet>
+      sheets;           ///< that are shown, from back to front; numbers of UiCommand::part
+  double reach_px = 0;  ///< sheets this near to a pen that draws are to step aside
   std::vector<PanelTarget> targets;  ///< in the order in which Tab goes through them
   std::string focus;                 ///< the target's name that Enter presses; "" none
   std::vector<PanelText> texts;
 
   /// Whether a pixel is a sheet's.
   bool IsOverSheet(const Vec2& px) const {
-    return std::any_of(sheets.begin(), sheets.end(), [&](const PanelSheet& sheet) {
-      return px.x >= sheet.low_px.x && px.x < sheet.high_px.x && px.y >= sheet.low_px.y &&
-             px.y < sheet.high_px.y;
-    });
+    return std::any_of(sheets.begin(), sheets.end(),
+                       [&](const PanelSheet& sheet) { return sheet.Contains(px); });
   }
 };
 

@@ -20,7 +20,7 @@ enum class PointerMode : uint8_t { kDraw, kErase, kSelect, kOrbit, kPan, kZoom }
 /// Where the pen or mouse is that draws.
 struct PanelPen {
   std::optional<Vec2> position_px;  ///< in the view; absent: away
-  bool down = false;                ///< it draws on the drawing: panels step aside
+  bool down = false;                ///< it draws on the drawing: open sheets close
   /// What it hovers over: "corner of Facade"; or how what it drags stands: "1.20 m wide, 2.00 m
   /// high"; "" nothing.
   std::string word = {};

@@ -22,14 +22,6 @@ using namespace panels;  // NOLINT(google-build-using-namespace): its own parts
 
 namespace {
 
-/// What tells one view from the next while the pen draws.
-struct Seen {
-  std::shared_ptr<const SessionSnapshot> session;
-  Vec2 size_px{0, 0};
-  bool pen_down = false;
-  std::string pen_word;
-};
-
 /// Scales are rounded, so that dragging a window's edge does not draw the letters anew all the way.
 double SteadyScale(const PanelView& view) {
   return std::max(0.25, std::floor(UsedScale(view.scale, view.size_px) * 8) / 8);
@@ -80,7 +72,6 @@ class Panels::Parts {
   bool took_key_ = false;  ///< a key of this frame was the panels'
   size_t obeyed_ = 0;      ///< commands that view_ already knows of
   PanelView view_;         ///< of this frame, with what its commands have changed
-  Seen seen_;
   PanelOutput output_;
 };
 
@@ -99,16 +90,11 @@ const PanelOutput& Panels::Parts::Frame(const PanelView& view, const PanelInput&
   obeyed_ = 0;
   output_.changed = false;
   took_key_ = false;
-  const bool drawing = seen_.pen_down && view.pen.down && input.events.empty();
-  const bool same = seen_.session == view.session && seen_.size_px == view.size_px &&
-                    seen_.pen_word.empty() && view.pen.word.empty();
-  if (drawing && same && !ui_.WouldStepAside(view.pen)) return output_;
-  seen_ = {view.session, view.size_px, view.pen.down, view.pen.word};
-
   view_ = view;
   view_.size_px = SaneSize(view.size_px);
   // Letters that can't be drawn at this scale are left at the one before.
   static_cast<void>(UseScale(SteadyScale(view_)));
+  output_.reach_px = kMeasures.reach * scale_;
   if (view_.pen.down && !ui_.field_active()) memory_.open = Sheet::kNone;
   const double step_s = input.now_s - now_s_;
   now_s_ = input.now_s;
@@ -172,7 +158,7 @@ void Panels::Parts::Once(double step_s) {
   ui_.Begin(view_, scale_, &output_);
   DrawAll();
   ui_.End();
-  output_.mesh = host_.Render();
+  output_.mesh = host_.Render(output_.sheets);
   took_key_ = took_key_ || ui_.took_key();
   Obey();
 }

@@ -22,8 +22,7 @@ class Panels {
   Panels& operator=(const Panels&) = delete;
 
   /// One frame: feeds the input, event by event, and draws what `view` says. Without input there
-  /// are no commands. Calls with nothing new are cheap where the pen is down: what it draws never
-  /// waits for panels.
+  /// are no commands.
   /// Properties: (1) no input, no command; (2) every command is one that ParseCommand reads back;
   /// (3) any input whatever, in any order, breaks nothing; (4) the same calls give the same output.
   /// cost  about 1 ms with all panels open; the letters are drawn anew when the scale changes

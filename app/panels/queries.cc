@@ -70,7 +70,7 @@ std::optional<size_t> DrawQueries(Ui* ui, Memory* memory) {
                                            ui->view().settings.left_handed,
                                            ui->scale(),
                                            HandlesOf(*ui)});
-  if (!ui->BeginSheet("Queries", sheet)) return std::nullopt;
+  ui->BeginSheet("Queries", sheet);
   Box rest = sheet.Inset(gap);
   Box head = rest.CutTop(side, gap);
   const ButtonLook close{.name = "Select nothing", .icon = Icon::kClose};

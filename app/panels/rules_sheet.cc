@@ -241,7 +241,7 @@ float RulesHeight(Ui* ui, Memory* memory, float width) {
 }
 
 void DrawRules(Ui* ui, Memory* memory, const Box& box) {
-  if (!ui->BeginSheet("Rules", box)) return;
+  ui->BeginSheet("Rules", box);
   const float gap = ui->U(kMeasures.gap), width = ListWidth(ui, box.width());
   Box rest = box.Inset(gap);
   Box head = rest.CutTop(ui->U(kMeasures.target), gap);

@@ -24,7 +24,7 @@ void Draw(Ui* ui, Memory* memory, const Content& content) {
   content.rows(ui, memory, &measured);
   const Box room = memory->layout.room;
   const Box box = SheetAt(memory->opened_at, width, measured.height() + 2 * pad, room, ui->U(8));
-  if (!ui->BeginSheet(content.name, box)) return;
+  ui->BeginSheet(content.name, box);
   Box list = ui->BeginList("list", box.Inset(pad), measured.height());
   Form form(ui, list, true);
   content.rows(ui, memory, &form);

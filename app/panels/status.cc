@@ -128,7 +128,7 @@ void DrawStatus(Ui* ui, Memory* memory) {
   const Box room = memory->layout.bottom;
   const float width = SheetWidth(ui, room.width());
   Box rest = BoxAt(room.middle_x() - width / 2, room.y0, width, room.height());
-  if (!ui->BeginSheet("Status", rest)) return;
+  ui->BeginSheet("Status", rest);
   for (const Warning& warning : WarningsOf(ui, *memory)) {
     DrawWarning(ui, memory, warning, rest.CutTop(HeightOf(ui, warning, width)));
   }

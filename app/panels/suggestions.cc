@@ -86,7 +86,7 @@ std::optional<size_t> DrawSuggestions(Ui* ui, Memory* memory) {
                                                ui->view().settings.left_handed,
                                                ui->scale(),
                                                {}});
-  if (!ui->BeginSheet("Suggestions", sheet)) return std::nullopt;
+  ui->BeginSheet("Suggestions", sheet);
 
   Box rest = sheet.Inset(gap);
   Box head = rest.CutTop(side, gap);

@@ -43,11 +43,31 @@ std::string TitleOf(const PanelView& view) {
   return std::filesystem::path(view.session->document.path).stem().string();
 }
 
+/// What the document is called; opens its sheet.
+void DrawTitle(Ui* ui, Memory* memory) {
+  const float gap = ui->U(kMeasures.gap);
+  const std::string title = TitleOf(ui->view());
+  Box at = memory->layout.title;
+  const float width = ui->TextWidth(title, Letter::kStrong) + ui->U(40 + 44 + 16);
+  const bool right = at.x0 > ui->window().middle_x();
+  at = right ? at.CutRight(width) : at.CutLeft(width);
+  ui->BeginSheet("Title", at);
+  Box box = at.Inset(gap);
+  const Press press = ui->Area("Document", box);
+  if (press.hovered) ui->Fill(box, Ground::kHover, kMeasures.small_radius);
+  const Ground ground = press.hovered ? Ground::kHover : Ground::kPanel;
+  ui->Picture(Icon::kDocument, box.CutLeft(ui->U(40)), Tone::kQuiet, ground);
+  ui->Picture(Icon::kDown, box.CutRight(ui->U(40)), Tone::kQuiet, ground);
+  ui->Text(title, box, {Letter::kStrong, Tone::kText, ground});
+  if (press.pressed) memory->Toggle(Sheet::kDocument, at);
+  ui->EndSheet();
+}
+
 }  // namespace
 
 void DrawTools(Ui* ui, const Memory& memory) {
   const Layout& layout = memory.layout;
-  if (!ui->BeginSheet("Tools", layout.tools)) return;
+  ui->BeginSheet("Tools", layout.tools);
   const float gap = ui->U(kMeasures.gap), side = ui->U(kMeasures.target);
   int i = 0;
   for (const Tool& tool : ToolsOf(ui->view())) {
@@ -69,23 +89,8 @@ void DrawTools(Ui* ui, const Memory& memory) {
 
 void DrawHead(Ui* ui, Memory* memory) {
   const float gap = ui->U(kMeasures.gap), side = ui->U(kMeasures.target);
-  const std::string title = TitleOf(ui->view());
-  Box at = memory->layout.title;
-  const float width = ui->TextWidth(title, Letter::kStrong) + ui->U(40 + 44 + 16);
-  const bool right = at.x0 > ui->window().middle_x();
-  at = right ? at.CutRight(width) : at.CutLeft(width);
-  if (ui->BeginSheet("Title", at)) {
-    Box box = at.Inset(gap);
-    const Press press = ui->Area("Document", box);
-    if (press.hovered) ui->Fill(box, Ground::kHover, kMeasures.small_radius);
-    const Ground ground = press.hovered ? Ground::kHover : Ground::kPanel;
-    ui->Picture(Icon::kDocument, box.CutLeft(ui->U(40)), Tone::kQuiet, ground);
-    ui->Picture(Icon::kDown, box.CutRight(ui->U(40)), Tone::kQuiet, ground);
-    ui->Text(title, box, {Letter::kStrong, Tone::kText, ground});
-    if (press.pressed) memory->Toggle(Sheet::kDocument, at);
-    ui->EndSheet();
-  }
-  if (!ui->BeginSheet("Menu", memory->layout.menu)) return;
+  DrawTitle(ui, memory);
+  ui->BeginSheet("Menu", memory->layout.menu);
   Box row = memory->layout.menu.Inset(gap);
   const auto opener = [&](const char* name, Icon icon, Sheet sheet) {
     const Box box = row.CutLeft(side, gap);

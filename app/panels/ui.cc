@@ -49,7 +49,6 @@ void Ui::Begin(const PanelView& view, double scale, PanelOutput* output) {
   note_.clear();
   output_->sheets.clear();
   output_->holds_pointer = pointer_over_;
-  if (!view.pen.down) aside_.clear();
   std::swap(places_, places_before_);
   places_.clear();
   ImGuiIO& io = ImGui::GetIO();
@@ -101,25 +100,8 @@ void Ui::SendTyped(const Command& command) {
 
 void Ui::Try(SetNumber number) { output_->trial = std::move(number); }
 
-bool Ui::StepsAside(const std::string& name, const Box& box) {
-  const PanelPen& pen = view_->pen;
-  if (!pen.down || !pen.position_px) return false;
-  if (box.DistanceTo(*pen.position_px) < U(kMeasures.reach)) aside_.insert(name);
-  return aside_.contains(name);
-}
-
-bool Ui::WouldStepAside(const PanelPen& pen) const {
-  if (!pen.down || !pen.position_px || !output_) return false;
-  return std::any_of(output_->sheets.begin(), output_->sheets.end(), [&](const PanelSheet& sheet) {
-    const Box box{static_cast<float>(sheet.low_px.x), static_cast<float>(sheet.low_px.y),
-                  static_cast<float>(sheet.high_px.x), static_cast<float>(sheet.high_px.y)};
-    return box.DistanceTo(*pen.position_px) < U(kMeasures.reach);
-  });
-}
-
-bool Ui::BeginSheet(std::string_view name, const Box& box) {
+void Ui::BeginSheet(std::string_view name, const Box& box) {
   sheet_ = name;
-  if (StepsAside(sheet_, box)) return false;
   ImGui::SetNextWindowPos(Low(box));
   ImGui::SetNextWindowSize(SizeOf(box));
   ImGui::Begin(sheet_.c_str(), nullptr, kSheetFlags);
@@ -135,7 +117,6 @@ bool Ui::BeginSheet(std::string_view name, const Box& box) {
   list()->PopClipRect();
   Fill(box, Ground::kPanel, kMeasures.radius);
   Border(box, kMeasures.radius);
-  return true;
 }
 
 void Ui::EndSheet() { ImGui::End(); }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,8 +93,8 @@ class Ui {
   void DropComplaint() { complaint_.clear(); }
   bool touched() const { return touched_; }  ///< something was pressed or typed in this frame
 
-  /// A sheet on the drawing. false: it steps aside for the pen; draw nothing, call no EndSheet.
-  bool BeginSheet(std::string_view name, const Box& box);
+  /// A sheet on the drawing.
+  void BeginSheet(std::string_view name, const Box& box);
   void EndSheet();
   /// A part of the sheet that scrolls, by wheel and by dragging. Returns where its content begins:
   /// content_height tall, as wide as the box.
@@ -146,9 +145,6 @@ class Ui {
   void DrawPenWord();
   ImDrawList* list() const;
 
-  /// Whether a sheet that is shown would step aside for this pen.
-  bool WouldStepAside(const PanelPen& pen) const;
-
   /// The key of this frame was a field's, or moved or pressed what has the focus.
   bool took_key() const { return took_key_; }
   /// Something is being typed.
@@ -167,7 +163,6 @@ class Ui {
     Box list;  ///< that it scrolls in; empty: none
   };
   std::string Full(const std::string& name) const { return sheet_ + "/" + name; }
-  bool StepsAside(const std::string& name, const Box& box);
   void MoveFocus(const KeyEvent& key);
   void FocusNext(int step);
   void FocusBeside(int dx, int dy);
@@ -195,11 +190,10 @@ class Ui {
   bool touched_ = false;
   bool pointer_over_ = false;
 
-  std::string sheet_;            // being drawn
-  std::optional<Box> list_;      // being drawn
-  std::set<std::string> aside_;  // sheets hidden until the pen is lifted
-  std::string scrolling_;        // the list that a press may scroll
-  bool scrolls_ = false;         // and does
+  std::string sheet_;        // being drawn
+  std::optional<Box> list_;  // being drawn
+  std::string scrolling_;    // the list that a press may scroll
+  bool scrolls_ = false;     // and does
 
   std::string editing_, draft_;  // the active text field and its text
   int edit_age_ = 0;             // frames since it was asked for

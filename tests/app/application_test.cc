@@ -126,6 +126,102 @@ TEST_F(ApplicationTest, NothingIsDrawnWhileNothingChanges) {
   EXPECT_EQ(display_->frames(), frames);
 }
 
+/// The part of a picture that a sheet lies on, or lay.
+render::Image Within(const render::Image& image, const PanelSheet& sheet) {
+  return Around(image, (sheet.low_px + sheet.high_px) * 0.5,
+                glm::ivec2(sheet.high_px - sheet.low_px));
+}
+
+class SteppingAsideInApplication : public ApplicationTest {
+ protected:
+  void SetUp() override {
+    ApplicationTest::SetUp();
+    PlugIn();
+    Do("lot rect(20,14)");
+  }
+  PanelSheet Sheet(const std::string& name) const {
+    const auto& sheets = application_->panels().sheets;
+    const auto found = std::find_if(sheets.begin(), sheets.end(),
+                                    [&](const PanelSheet& sheet) { return sheet.name == name; });
+    EXPECT_NE(found, sheets.end()) << "no sheet " << name;
+    return found == sheets.end() ? PanelSheet{} : *found;
+  }
+  bool Shows(const std::string& name) const {
+    const auto& sheets = application_->panels().sheets;
+    return std::any_of(sheets.begin(), sheets.end(),
+                       [&](const PanelSheet& sheet) { return sheet.name == name; });
+  }
+};
+
+TEST_F(SteppingAsideInApplication, ThePanelThatALineRunsIntoGoesAndTheLineGoesOn) {
+  const PanelSheet tools = Sheet("Tools");
+  const Vec2 middle = (tools.low_px + tools.high_px) * 0.5, from(700, middle.y - 40);
+  const Vec2 to = middle + Vec2(0, 40);
+  const render::Image before = Seen();
+  Draw(from, to);
+  Settle();
+  const render::Image during = Seen();
+  ExpectGolden(Within(during, {"", tools.low_px - 40.0, tools.high_px + Vec2(160, 40)}),
+               "application_aside");
+  EXPECT_EQ(Compare(Within(during, Sheet("Menu")), Within(before, Sheet("Menu")), {2, 0}).pixels,
+            0u)
+      << "what is far away stays";
+  Lift(to);
+  Settle();
+  ASSERT_EQ(state().sketch.unread.size(), 1u);
+  EXPECT_LT(glm::distance(state().sketch.unread[0]->stroke.back().position, to), 1e-6);
+  Do("clear");
+  EXPECT_EQ(Compare(Within(Seen(), tools), Within(before, tools), {2, 0}).pixels, 0u)
+      << "it is back";
+}
+
+TEST_F(SteppingAsideInApplication, OnceAsideNothingIsDrawnForIt) {
+  const PanelSheet tools = Sheet("Tools");
+  Draw({700, 500}, (tools.low_px + tools.high_px) * 0.5);
+  Settle();
+  const int frames = display_->frames();
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(application_->Turn(0));
+  EXPECT_EQ(display_->frames(), frames);
+}
+
+TEST_F(SteppingAsideInApplication, WhileItFadesOnlyItsOwnPixelsAreDrawn) {
+  const PanelSheet tools = Sheet("Tools");
+  const Vec2 from(700, 500), to(tools.high_px.x + 90, 500);
+  Draw(from, to);
+  ASSERT_TRUE(application_->Turn(0));
+  const Vec2 shadow(12, 12);
+  int faded = 0;
+  for (int frames = display_->frames(); !application_->Settled(); frames = display_->frames()) {
+    ASSERT_TRUE(application_->Turn(0.01));
+    if (display_->frames() == frames) continue;
+    ++faded;
+    for (const render::PixelRect& rect : display_->presented()) {
+      EXPECT_LE(rect.x + rect.width, tools.high_px.x + shadow.x);
+      EXPECT_GE(rect.y, tools.low_px.y - shadow.y);
+    }
+  }
+  EXPECT_GT(faded, 0);
+}
+
+TEST_F(SteppingAsideInApplication, WhatThePenHoveredOverIsNotNamedWhileItDraws) {
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const Vec2 on_lot = Pixel({10, 0, 7});
+  Pen(PenEvent::Kind::kProximityIn, on_lot);
+  Settle();
+  ASSERT_THAT(Words(), testing::Contains("Lot"));
+  DrawOn(on_lot, on_lot + Vec2(60, 0));
+  Settle();
+  EXPECT_THAT(Words(), testing::Not(testing::Contains("Lot")));
+}
+
+TEST_F(SteppingAsideInApplication, AnOpenSheetClosesWhenALineIsBegun) {
+  TapOn("Menu/Views");
+  ASSERT_TRUE(Shows("Views"));
+  Draw({700, 500}, {760, 520});
+  Settle();
+  EXPECT_FALSE(Shows("Views"));
+}
+
 TEST_F(ApplicationTest, AnUnpluggedPenLeavesItsStroke) {
   PlugIn();
   Do("lot rect(20,14)");

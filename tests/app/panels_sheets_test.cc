@@ -1,4 +1,4 @@
-// The sheets that open under buttons, the keyboard on the screen, and stepping aside.
+// The sheets that open under buttons, the keyboard on the screen, and what is about the pen.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
@@ -231,17 +231,6 @@ TEST_F(PanelsSheets, FiguresFollowThePenThatDrags) {
   EXPECT_TRUE(panels_.Says("1.60 m wide")) << "while the pen is down";
   panels_.view.pen.word = "";
   EXPECT_FALSE(panels_.Says("1.60 m wide"));
-}
-
-TEST_F(PanelsSheets, PanelsWithinReachStepAsideWhileThePenDraws) {
-  const Vec2 beside = MiddleOf(panels_.Find("Tools/Undo")) + Vec2(80, 0);
-  panels_.view.pen = {beside, true};
-  EXPECT_FALSE(ShowsSheet("Tools"));
-  EXPECT_TRUE(ShowsSheet("Menu")) << "what is far away stays";
-  panels_.view.pen = {Vec2(700, 500), true};
-  EXPECT_FALSE(ShowsSheet("Tools")) << "nothing flickers under way";
-  panels_.view.pen = {Vec2(700, 500), false};
-  EXPECT_TRUE(ShowsSheet("Tools"));
 }
 
 TEST_F(PanelsSheets, WhileThePenDrawsAFrameWithoutNewsChangesNothing) {

@@ -49,7 +49,8 @@ UiMesh SomePanels() {
     mesh.commands.push_back({{*rc::gen::inRange(0, 50), *rc::gen::inRange(0, 30), 40, 30},
                              1,
                              static_cast<uint32_t>(mesh.indices.size() - 3),
-                             3});
+                             3,
+                             static_cast<uint32_t>(*rc::gen::inRange(0, 3))});
   }
   return mesh;
 }
@@ -79,10 +80,18 @@ void ChangePicture(CanvasTarget* target) {
   target->canvas().SetPicture(picture);
 }
 
+void FadePanels(Canvas* canvas) {
+  std::vector<float> opacities;
+  for (int n = *rc::gen::inRange(0, 4); n > 0; --n) {
+    opacities.push_back(static_cast<float>(*rc::gen::inRange(0, 5)) / 4);
+  }
+  canvas->SetPanelOpacities(opacities);
+}
+
 void DoSomething(CanvasTarget* target, Wanted* wanted) {
   Canvas& canvas = target->canvas();
   const std::vector<Vec2f> points = SomePoints();
-  switch (*rc::gen::inRange(0, 11)) {
+  switch (*rc::gen::inRange(0, 12)) {
     case 0:
       return canvas.BeginStroke(wanted->next_id++, kColors[*rc::gen::inRange(0, 2)]);
     case 1:
@@ -102,6 +111,8 @@ void DoSomething(CanvasTarget* target, Wanted* wanted) {
                                      : canvas.SetMarksAbovePanels({SomeMark()});
     case 9:
       return canvas.SetPanels(SomePanels());
+    case 10:
+      return FadePanels(&canvas);
     default:
       if (*rc::gen::inRange(0, 3)) return ChangePicture(target);
       return target->Resize({*rc::gen::inRange(1, 120), *rc::gen::inRange(1, 80)});

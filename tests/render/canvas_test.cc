@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "tests/support/canvas_target.h"
@@ -200,6 +201,29 @@ TEST_P(CanvasOn, PanelsLieOverInkAndAreClipped) {
   EXPECT_EQ(target_->Draw().area(), 40 * 60);
   canvas().SetPanels({});
   EXPECT_EQ(PixelAt(Drawn(), 80, 30), PixelAt(image, 120, 30));
+}
+
+TEST_P(CanvasOn, PartsOfPanelsFadeAndOnlyTheirPixelsAreDrawn) {
+  ASSERT_TRUE(canvas().SetPanelTexture(1, kWhite));
+  const int paper = PixelAt(Drawn(), 80, 50).r;
+  UiMesh mesh = Panel({60, 20, 80, 60}, 0xff000000);
+  mesh.commands[0].clip = {60, 20, 40, 60};
+  mesh.commands.push_back(mesh.commands[0]);
+  mesh.commands[1].clip = {100, 20, 40, 60};
+  mesh.commands[1].part = 1;
+  canvas().SetPanels(mesh);
+  Drawn();
+  canvas().SetPanelOpacities(std::array{1.0f, 0.5f});
+  EXPECT_EQ(target_->Draw().area(), 40 * 60);
+  Image image = Drawn();
+  EXPECT_EQ(PixelAt(image, 80, 50).r, 0);
+  EXPECT_NEAR(PixelAt(image, 120, 50).r, paper / 2, 2);
+  canvas().SetPanelOpacities(std::array{1.0f, 0.5f});
+  EXPECT_FALSE(canvas().NeedsDraw()) << "as it is already";
+  canvas().SetPanelOpacities(std::array{0.0f});
+  image = Drawn();
+  EXPECT_EQ(PixelAt(image, 80, 50).r, paper);
+  EXPECT_EQ(PixelAt(image, 120, 50).r, 0) << "a part without a number is there";
 }
 
 TEST_P(CanvasOn, SenselessPanelsShowNothing) {
