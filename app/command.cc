@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -129,6 +130,31 @@ Result<Command> ParseLayers(const Words& words) {
   return EditLayers{std::move(*layers)};
 }
 
+/// NAME and pairs of a word and a number; the name is all that stands before them.
+Result<Command> ParsePlace(const Words& words) {
+  constexpr std::string_view kExample = "place Door left 16.5 bottom 1.22";
+  PlaceElement place;
+  const std::pair<std::string_view, std::optional<double>*> fields[] = {{"left", &place.left},
+                                                                        {"bottom", &place.bottom},
+                                                                        {"width", &place.width},
+                                                                        {"height", &place.height}};
+  size_t first = words.items.size();  // of the pairs, from the last one on
+  while (first >= 4) {
+    const auto field = std::find_if(std::begin(fields), std::end(fields), [&](const auto& one) {
+      return one.first == words.items[first - 2];
+    });
+    if (field == std::end(fields) || *field->second) break;
+    const auto number = Number(words.items[first - 1]);
+    if (!number) return Fail(number);
+    *field->second = *number;
+    first -= 2;
+  }
+  if (first == words.items.size()) return Usage(kExample);
+  const char* end = words.items[first - 1].data() + words.items[first - 1].size();
+  place.element.assign(words.rest.data(), end);
+  return place;
+}
+
 Result<Command> ParseTake(const Words& words) {
   if (words.items.size() != 2) return Usage("take 0/1");
   if (words.items[1] == kNone) return Take{};
@@ -224,6 +250,7 @@ constexpr std::array kRows = {
         }},
     Row{"rule-text", ParseRuleText},
     Row{"layers", ParseLayers},
+    Row{"place", ParsePlace},
     Row{"take", ParseTake},
     Row{"switch", ParseSwitch},
     Row{"move", ParseMove},

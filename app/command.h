@@ -3,6 +3,7 @@
 // for people is in docs/drawings.md.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -92,6 +93,14 @@ struct EditLayers {
   bool operator==(const EditLayers&) const = default;
 };
 
+/// "place Door left 16.5 bottom 1.22": numbers of an element that rule files place by numbers, in
+/// m; those that are not named stay. Of the newest text, whatever has been typed in between.
+struct PlaceElement {
+  std::string element;  ///< its rule
+  std::optional<double> left = {}, bottom = {}, width = {}, height = {};
+  bool operator==(const PlaceElement&) const = default;
+};
+
 /// "take 0/2": the node in hand, which name, query and set act on; "take none": none is.
 struct Take {
   NodePath path;  ///< of a node; empty: none
@@ -174,10 +183,10 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-using Command =
-    std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery, SetNumber,
-                 AddNode, Rewrite, SetRuleText, EditLayers, Take, Switch, Move, Delete, AddTree,
-                 RenameTree, KeepView, GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
+using Command = std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery,
+                             SetNumber, AddNode, Rewrite, SetRuleText, EditLayers, PlaceElement,
+                             Take, Switch, Move, Delete, AddTree, RenameTree, KeepView, GoView,
+                             DropView, Erase, Select, ClearSketch, Undo, Redo>;
 
 /// Looking and taking a node in hand change nothing that undo would bring back.
 bool IsLooking(const Command& command);

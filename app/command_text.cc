@@ -21,6 +21,18 @@ std::string LineOf(const SetRuleText& command) {
   return "rule-text " + json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string LineOf(const PlaceElement& command) {
+  std::string line = "place " + command.element;
+  const auto add = [&](const char* word, const std::optional<double>& number) {
+    if (number) line += fmt::format(" {} {}", word, *number);
+  };
+  add("left", command.left);
+  add("bottom", command.bottom);
+  add("width", command.width);
+  add("height", command.height);
+  return line;
+}
+
 }  // namespace
 
 std::string TextOf(const Command& command) {
@@ -47,6 +59,7 @@ std::string TextOf(const Command& command) {
           [](const Rewrite& c) { return "rewrite " + c.text; },
           [](const SetRuleText& c) { return LineOf(c); },
           [](const EditLayers& c) { return "layers " + TextOf(c.layers); },
+          [](const PlaceElement& c) { return LineOf(c); },
           [](const Take& c) { return "take " + (c.path.empty() ? "none" : PathText(c.path)); },
           [](const Switch& c) {
             return fmt::format("switch {} {}", PathText(c.path), c.on ? "on" : "off");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/placing/placed_layers.h"
+
 namespace parti::app {
 namespace {
 
@@ -21,6 +23,16 @@ Error NoSuchFile(const RuleSource& source, const std::string& name) {
   return {ErrorCode::kUnknownName, fmt::format("the building has no rule file '{}'", name),
           meant ? fmt::format("did you mean '{}'?", *meant)
                 : fmt::format("files are {}", fmt::join(names, ", ")),
+          std::nullopt};
+}
+
+Error NoSuchElement(const std::vector<grammar::InteractiveRules>& elements,
+                    const std::string& name) {
+  std::vector<std::string> names;
+  for (const grammar::InteractiveRules& one : elements) names.push_back(one.layer.name);
+  return {ErrorCode::kUnknownName, fmt::format("the rules place no element '{}' by numbers", name),
+          names.empty() ? "docs/layers.md says which rules do: \"Placing by hand\""
+                        : fmt::format("they place {}", fmt::join(names, ", ")),
           std::nullopt};
 }
 
@@ -72,6 +84,24 @@ EditedModel WithLayerEdits(const Model& model, const EditLayers& edit) {
   if (!model.ground->source) return Failed({NoFiles()});
   RuleSource source = *model.ground->source;
   source.layers = edit.layers;
+  return Remade(model, std::move(source));
+}
+
+EditedModel WithElementPlaced(const Model& model, const PlaceElement& edit) {
+  if (!model.ground->source) return Failed({NoFiles()});
+  RuleSource source = *model.ground->source;
+  const auto rules = RulesInReach(source);
+  if (!rules) return Failed(RulesOf(source).error());
+  const auto elements = grammar::InteractiveLayersOf(*rules);
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const auto& one) { return one.layer.name == edit.element; });
+  if (found == elements.end()) return Failed({NoSuchElement(elements, edit.element)});
+  grammar::InteractiveLayer now = found->layer;
+  now.left = edit.left.value_or(now.left);
+  now.bottom = edit.bottom.value_or(now.bottom);
+  now.width = edit.width.value_or(now.width);
+  now.height = edit.height.value_or(now.height);
+  source.files[found->left.file].text = grammar::TextWith(*rules, *found, now);
   return Remade(model, std::move(source));
 }
 

@@ -23,6 +23,11 @@ EditedModel WithRuleText(const Model& model, const SetRuleText& edit);
 /// The model with these edits in the place of all that its layers had. errors, cost  as above.
 EditedModel WithLayerEdits(const Model& model, const EditLayers& edit);
 
+/// The model with other numbers of one of the elements that its rules place by numbers, where they
+/// stand in the text; nothing else of it changes.
+/// errors  kUnknownName  the rules place none of this name;  the others as above. cost  as above.
+EditedModel WithElementPlaced(const Model& model, const PlaceElement& edit);
+
 /// The shapes of `before` that are in `after`, too: of the same id and symbol. In the place of one
 /// that is not, the nearest of its ancestors that is, but for the lot; each once.
 std::vector<ShapeRef> KeptShapes(const Model& before, const std::vector<ShapeRef>& shapes,

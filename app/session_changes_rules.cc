@@ -82,6 +82,11 @@ Result<SessionState> Do(const EditLayers& command, SessionState state, const Ses
   return WithGround(std::move(state), std::move(model));
 }
 
+Result<SessionState> Do(const PlaceElement& command, SessionState state, const SessionOptions&) {
+  auto model = WithElementPlaced(state.model, command);
+  return WithGround(std::move(state), std::move(model));
+}
+
 Result<SessionState> Do(const Take& command, SessionState state, const SessionOptions&) {
   if (!command.path.empty()) {
     const auto there = CheckNode(state.model.trees(), command.path);

@@ -1,5 +1,7 @@
 #include "app/placing/layer_arranging.h"
 
+#include <cmath>
+
 namespace parti::app {
 namespace {
 
@@ -62,22 +64,30 @@ InteractiveLayer Arranged(const InteractiveLayer& layer, ElementCommand how,
   return layer;
 }
 
-std::optional<grammar::RuleFile> FileWith(const PlacedLayers& placed, size_t layer,
-                                          const InteractiveLayer& now) {
-  const grammar::InteractiveRules& rules = placed.layers[layer].rules;
-  const grammar::RuleFile& file = placed.rules->files[rules.left.file];
-  std::string text = grammar::TextWith(*placed.rules, rules, now);
-  if (text == file.text) return std::nullopt;
-  return grammar::RuleFile{file.name, std::move(text)};
+std::optional<PlaceElement> ChangeBetween(const InteractiveLayer& before,
+                                          const InteractiveLayer& after) {
+  PlaceElement change{before.name};
+  bool any = false;
+  const auto add = [&](double from, double to, std::optional<double>* number) {
+    const double from_mm = std::round(from * 1000), to_mm = std::round(to * 1000);
+    if (from_mm == to_mm) return;
+    *number = to_mm / 1000;
+    any = true;
+  };
+  add(before.left, after.left, &change.left);
+  add(before.bottom, after.bottom, &change.bottom);
+  add(before.width, after.width, &change.width);
+  add(before.height, after.height, &change.height);
+  return any ? std::optional(std::move(change)) : std::nullopt;
 }
 
 std::array<bool, kArrangements> ChangesOf(const PlacedLayers& placed, size_t layer,
                                           const InteractiveLayer& by) {
   std::array<bool, kArrangements> changes{};
+  const InteractiveLayer& now = placed.layers[layer].rules.layer;
   for (size_t i = 0; i < kArrangements; ++i) {
-    const InteractiveLayer& now = placed.layers[layer].rules.layer;
-    changes[i] =
-        FileWith(placed, layer, Arranged(now, static_cast<ElementCommand>(i), by)).has_value();
+    const InteractiveLayer then = Arranged(now, static_cast<ElementCommand>(i), by);
+    changes[i] = ChangeBetween(now, then).has_value();
   }
   return changes;
 }

@@ -1,11 +1,12 @@
 // Arranging an element that is placed by hand by another one on its face, or by the face (Jesus
-// 2018, 8.2.1: same size, align, center), and the text of the rules that comes of it.
+// 2018, 8.2.1: same size, align, center), and the command that says so.
 // What pulling does is layer_drag.h's.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "app/command.h"
 #include "app/placing/element_in_hand.h"
 #include "app/placing/placed_layers.h"
 
@@ -19,12 +20,12 @@ std::vector<grammar::InteractiveLayer> LayersBeside(const PlacedLayers& placed, 
 grammar::InteractiveLayer Arranged(const grammar::InteractiveLayer& layer, ElementCommand how,
                                    const grammar::InteractiveLayer& by);
 
-/// The file of the rules with a layer's numbers in its text; nothing where they are as they were,
-/// to the millimetre.
-std::optional<grammar::RuleFile> FileWith(const PlacedLayers& placed, size_t layer,
-                                          const grammar::InteractiveLayer& now);
+/// The command that makes one of the other: the numbers that differ by a millimetre, in whole ones;
+/// nothing where none does.
+std::optional<PlaceElement> ChangeBetween(const grammar::InteractiveLayer& before,
+                                          const grammar::InteractiveLayer& after);
 
-/// Which of the arrangements would change the text.
+/// Which of the arrangements would change it.
 std::array<bool, kArrangements> ChangesOf(const PlacedLayers& placed, size_t layer,
                                           const grammar::InteractiveLayer& by);
 

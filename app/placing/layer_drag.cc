@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/placing/layer_arranging.h"
 
@@ -58,7 +59,10 @@ void LayerDrag::MoveTo(const View& view, const Vec2& px) {
   const InteractiveLayer pulled = grammar::Pulled(held().rules.layer, grip_.handle, by.y, by.x);
   const double px_per_m = view.PixelsPerMetre(frame.ToWorld({there, 0}));
   const double reach_m = px_per_m > 0 ? params_.snap_px / px_per_m : 0;
-  now_ = grammar::Snapped(pulled, grip_.handle, others_, reach_m);
+  been_away_ |= glm::distance(px, from_px_) > params_.snap_px;
+  const std::span all(others_);  // the last is where it was: a small move is not to snap back to it
+  const auto others = been_away_ ? all : all.first(all.size() - 1);
+  now_ = grammar::Snapped(pulled, grip_.handle, others, reach_m);
 }
 
 InteractiveLayer LayerDrag::LayerNow(size_t layer) const {
@@ -73,8 +77,8 @@ std::string LayerDrag::Figures() const {
              : fmt::format("{:.2f} m wide, {:.2f} m high", now.width, now.height);
 }
 
-std::optional<grammar::RuleFile> LayerDrag::Outcome() const {
-  return FileWith(*placed_, grip_.layer, now_.layer);
+std::optional<PlaceElement> LayerDrag::Outcome() const {
+  return ChangeBetween(held().rules.layer, now_.layer);
 }
 
 }  // namespace parti::app

@@ -1,5 +1,5 @@
-// One drag of an element that is placed by hand: from taking hold of it to the text that says where
-// it is now (Jesus 2018, 8.2.1). It follows the pen and derives nothing.
+// One drag of an element that is placed by hand: from taking hold of it to the command that says
+// where it is now (Jesus 2018, 8.2.1). It follows the pen and derives nothing.
 // What takes hold is layer_grip.h's; how it looks is layer_marks.h's; whose drag it is,
 // placing.h's.
 #pragma once
@@ -31,8 +31,8 @@ class LayerDrag {
                                         const LayerDragParams& params = {});
 
   /// The pen is there now. Elements follow as far as the face goes, and snap to others on it, to
-  /// the face itself, and to where they were. A pixel that meets no point of the face changes
-  /// nothing.
+  /// the face itself, and, once the pen has been farther away than that, to where they were. A
+  /// pixel that meets no point of the face changes nothing.
   void MoveTo(const View& view, const Vec2& px);
 
   const PlacedLayers& placed() const { return *placed_; }
@@ -49,9 +49,8 @@ class LayerDrag {
   /// What it may snap to: the other layers in its frame, the face, and last where it was.
   const std::vector<grammar::InteractiveLayer>& others() const { return others_; }
 
-  /// The file of the rules with the new numbers in its text; nothing where they are as they were,
-  /// to the millimetre.
-  std::optional<grammar::RuleFile> Outcome() const;
+  /// The command that places it here; nothing where it is as it was, to the millimetre.
+  std::optional<PlaceElement> Outcome() const;
 
  private:
   LayerDrag(std::shared_ptr<const PlacedLayers> placed, const LayerGrip& grip);
@@ -64,6 +63,7 @@ class LayerDrag {
   Vec2 from_px_{0, 0};
   Vec2 from_{0, 0};  // in the frame; m
   bool moved_ = false;
+  bool been_away_ = false;  // farther from where it was than that draws
   grammar::SnappedLayer now_;
 };
 

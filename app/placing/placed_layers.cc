@@ -86,4 +86,10 @@ PlacedLayers PlacedLayersOf(const Model& model, const std::vector<ShapeRef>& sel
   return {};
 }
 
+PlacedLayers PlacedWith(PlacedLayers placed, size_t layer, const grammar::InteractiveLayer& now) {
+  const InteractiveRules changed = placed.layers[layer].rules;
+  for (PlacedLayer& one : placed.layers) one.rules.layer = Following(one.rules, changed, now);
+  return placed;
+}
+
 }  // namespace parti::app

@@ -40,4 +40,7 @@ std::shared_ptr<const grammar::RuleSet> RulesInReach(const RuleSource& source);
 PlacedLayers PlacedLayersOf(const Model& model, const std::vector<ShapeRef>& selected,
                             std::shared_ptr<const grammar::RuleSet> rules);
 
+/// The same with other numbers of one of them: what shares one follows. The texts stay.
+PlacedLayers PlacedWith(PlacedLayers placed, size_t layer, const grammar::InteractiveLayer& now);
+
 }  // namespace parti::app

@@ -39,20 +39,22 @@ Placing::Found Placing::Finder::operator()(const State& state) {
 }
 
 void Placing::SetState(State state, uint64_t executed) {
+  const bool ours = posted_ > executed_;
   executed_ = executed;
-  if (state_ && LooksAlike(*state_, *state)) return LetGoOfLeft();
+  if (state_ && LooksAlike(*state_, *state)) return SeeWhetherDone();
   const bool other_rules = !state_ || state_->model.ground->source != state->model.ground->source;
-  if (other_rules) Cancel();
+  if (other_rules && !ours) Cancel();
   state_ = std::move(state);
   if (HasNone(*state_)) {
     Cancel();
     meant_.reset();
     held_.LetGo();
+    wanted_.reset();
     found_ = {state_, nullptr};
   } else {
     worker_.Ask(state_);
   }
-  LetGoOfLeft();
+  SeeWhetherDone();
 }
 
 bool Placing::Update() {
@@ -61,12 +63,19 @@ bool Placing::Update() {
   if (!newest || newest->state != state_) return false;
   found_ = std::move(*newest);
   meant_.reset();
-  LetGoOfLeft();
+  SeeWhetherDone();
   return true;
 }
 
-void Placing::LetGoOfLeft() {
-  if (!Waits()) left_.reset();
+void Placing::Want(const PlacedLayers& before, size_t layer, const InteractiveLayer& now) {
+  wanted_ = std::make_shared<const PlacedLayers>(PlacedWith(before, layer, now));
+  posted_ = UINT64_MAX;
+}
+
+void Placing::SeeWhetherDone() {
+  if (posted_ > executed_ || !UpToDate() || !wanted_) return;
+  wanted_.reset();
+  meant_.reset();
 }
 
 PlacingStep Placing::Take(const DragAct& drag, const View& view, double scale) {
@@ -81,11 +90,11 @@ PlacingStep Placing::Take(const DragAct& drag, const View& view, double scale) {
 }
 
 PlacingStep Placing::Begin(const DragAct& drag, const View& view, double scale) {
-  if (!found_.placed) return {};
-  auto begun = LayerDrag::Begin(found_.placed, view, drag.px, scale);
+  if (!placed()) return {};
+  auto begun = LayerDrag::Begin(placed(), view, drag.px, scale);
   if (!begun) return {};
   device_ = drag.device;
-  if (!Waits()) drag_ = std::move(begun);
+  drag_ = std::move(begun);
   meant_.reset();
   return Taken();
 }
@@ -98,38 +107,34 @@ PlacingStep Placing::End(const DragAct& drag, const View& view) {
   ended->MoveTo(view, drag.px);
   step.tapped = !ended->moved();
   held_.Hold(ended->placed(), ended->grip().layer);
-  if (auto file = ended->Outcome()) {
-    step.command = SetRuleText{std::move(file->name), std::move(file->text)};
-    left_ = std::move(ended);
-    posted_ = UINT64_MAX;
-  }
+  step.command = ended->Outcome();
+  if (step.command) Want(ended->placed(), ended->grip().layer, ended->snapped().layer);
   return step;
 }
 
-std::optional<SetRuleText> Placing::Do(ElementCommand command) {
+std::optional<PlaceElement> Placing::Do(ElementCommand command) {
   if (command == ElementCommand::kLetGo) held_.LetGo();
-  const auto layer = found_.placed ? held_.In(*found_.placed) : std::nullopt;
-  if (!layer || drag_ || Waits()) return std::nullopt;
-  if (command == ElementCommand::kByNext) held_.TakeNext(*found_.placed);
-  auto file = FileWith(
-      *found_.placed, *layer,
-      Arranged(found_.placed->layers[*layer].rules.layer, command, held_.ByIn(*found_.placed)));
-  if (!file) return std::nullopt;
-  posted_ = UINT64_MAX;
-  return SetRuleText{std::move(file->name), std::move(file->text)};
+  const auto layer = placed() ? held_.In(*placed()) : std::nullopt;
+  if (!layer || drag_) return std::nullopt;
+  if (command == ElementCommand::kByNext) held_.TakeNext(*placed());
+  const PlacedLayers before = *placed();
+  const InteractiveLayer& now = before.layers[*layer].rules.layer;
+  const InteractiveLayer then = Arranged(now, command, held_.ByIn(before));
+  auto change = ChangeBetween(now, then);
+  if (change) Want(before, *layer, then);
+  return change;
 }
 
 void Placing::Await(uint64_t number) {
   posted_ = number;
-  LetGoOfLeft();
+  SeeWhetherDone();
 }
 
 bool Placing::Cancel() { return std::exchange(drag_, std::nullopt).has_value(); }
 
 bool Placing::HoverAt(const Vec2& px, const View& view, double scale) {
   std::optional<LayerGrip> meant;
-  if (!Waits() && found_.placed)
-    meant = GripAt(*found_.placed, view, px, LayerDragParams().reach_px * scale);
+  if (placed()) meant = GripAt(*placed(), view, px, LayerDragParams().reach_px * scale);
   return !(std::exchange(meant_, meant) == meant);
 }
 
@@ -138,23 +143,22 @@ bool Placing::HoverEnd() { return std::exchange(meant_, std::nullopt).has_value(
 std::string Placing::word() const {
   if (drag_) return drag_->moved() ? drag_->Figures() : "";
   if (!meant_) return "";
-  const std::string& name = found_.placed->layers[meant_->layer].rules.layer.name;
+  const std::string& name = placed()->layers[meant_->layer].rules.layer.name;
   if (meant_->handle.whole()) return name;
   const bool corner = meant_->handle.across != 0 && meant_->handle.up != 0;
   return (corner ? "corner of " : "edge of ") + name;
 }
 
 std::optional<ElementInHand> Placing::InHand(const View& view) const {
-  const auto layer = found_.placed ? held_.In(*found_.placed) : std::nullopt;
+  const auto layer = placed() ? held_.In(*placed()) : std::nullopt;
   if (!layer || (drag_ && drag_->moved())) return std::nullopt;
-  const PlacedLayers& placed = *found_.placed;
-  const InteractiveLayer by = held_.ByIn(placed);
+  const InteractiveLayer by = held_.ByIn(*placed());
   ElementInHand element;
-  element.layer = left_ ? left_->LayerNow(*layer) : placed.layers[*layer].rules.layer;
+  element.layer = placed()->layers[*layer].rules.layer;
   element.by = by.name;
-  element.by_others = LayersBeside(placed, *layer).size() > 1;
-  if (!Waits()) element.changes = ChangesOf(placed, *layer, by);
-  const SeenElement seen = SeenAs(placed.layers[*layer].frame, element.layer, view);
+  element.by_others = LayersBeside(*placed(), *layer).size() > 1;
+  element.changes = ChangesOf(*placed(), *layer, by);
+  const SeenElement seen = SeenAs(placed()->layers[*layer].frame, element.layer, view);
   element.low_px = seen.low_px;
   element.high_px = seen.high_px;
   return element;
@@ -162,9 +166,9 @@ std::optional<ElementInHand> Placing::InHand(const View& view) const {
 
 std::vector<SeenElement> Placing::Seen(const View& view) const {
   std::vector<SeenElement> seen;
-  if (!found_.placed) return seen;
-  for (const PlacedLayer& placed : found_.placed->layers) {
-    SeenElement element = SeenAs(placed.frame, placed.rules.layer, view);
+  if (!placed()) return seen;
+  for (const PlacedLayer& layer : placed()->layers) {
+    SeenElement element = SeenAs(layer.frame, layer.rules.layer, view);
     if (!element.handles_px.empty()) seen.push_back(std::move(element));
   }
   return seen;
@@ -172,11 +176,10 @@ std::vector<SeenElement> Placing::Seen(const View& view) const {
 
 void Placing::AddMarks(const View& view, std::vector<render::Mark>* marks) const {
   if (drag_ && drag_->moved()) return AddLayerMarks(*drag_, view, marks);
-  if (left_) return AddLayerMarks(*left_, view, marks);
-  if (!found_.placed) return;
-  LayersMeant meant{drag_ ? std::optional(drag_->grip()) : meant_, held_.In(*found_.placed), {}};
-  if (meant.held) meant.by = held_.ByIn(*found_.placed);
-  AddLayerMarks(*found_.placed, meant, view, marks);
+  if (!placed()) return;
+  LayersMeant meant{drag_ ? std::optional(drag_->grip()) : meant_, held_.In(*placed()), {}};
+  if (meant.held) meant.by = held_.ByIn(*placed());
+  AddLayerMarks(*placed(), meant, view, marks);
 }
 
 }  // namespace parti::app

@@ -21,13 +21,15 @@ namespace parti::app {
 struct PlacingStep {
   bool taken = false;   ///< it places, or did until it was cancelled: it selects nothing
   bool tapped = false;  ///< it took hold of an element, but stayed where it was
-  std::optional<SetRuleText> command = {};  ///< to be posted: the drag has ended elsewhere
+  std::optional<PlaceElement> command = {};  ///< to be posted: the drag has ended elsewhere
 };
 
 /// Used by the thread that draws; owns one that looks at rules. Nothing is lost by cancelling: only
-/// the command changes the model.
-/// Properties: (1) a drag that is taken is taken until it ends; (2) a cancelled one gives no
-/// command, nor does one whose rules have changed meanwhile.
+/// commands change the model. They say what a hand wants, not what the rules are: the session may
+/// be deriving still when the next one comes. Properties: (1) a drag that is taken is taken until
+/// it ends; (2) a cancelled one gives no command, nor does one whose rules somebody else has
+/// changed meanwhile; (3) drags and buttons go on from what the ones before have come to, executed
+/// or not.
 class Placing {
  public:
   /// The newest state, and up to which request it is.
@@ -37,11 +39,10 @@ class Placing {
 
   /// One report of a drag of act kSelect, seen in this view. scale: of the display.
   PlacingStep Take(const DragAct& drag, const View& view, double scale);
-  /// What a button does with the element in hand; the command to be posted, if it changes the
-  /// rules. While the last one is still on its way, nothing.
-  std::optional<SetRuleText> Do(ElementCommand command);
+  /// What a button does with the element in hand; the command to be posted, if it changes it.
+  std::optional<PlaceElement> Do(ElementCommand command);
   /// The command of the last drag or button was posted as request `number`: until that is executed
-  /// and looked at, what was dragged is shown where it was left.
+  /// and looked at, elements are shown as it places them.
   void Await(uint64_t number);
   /// Lets go of what is dragged and leaves all as it was; whether anything was dragged.
   bool Cancel();
@@ -84,18 +85,22 @@ class Placing {
   };
 
   bool UpToDate() const { return found_.state == state_; }
-  /// What is seen is not what the model is by now: the hand has to wait for a moment.
-  bool Waits() const { return posted_ > executed_ || !UpToDate(); }
-  void LetGoOfLeft();
+  /// What there is to see and to take; null: nothing.
+  const std::shared_ptr<const PlacedLayers>& placed() const {
+    return wanted_ ? wanted_ : found_.placed;
+  }
+  /// From now on until the model is so.
+  void Want(const PlacedLayers& before, size_t layer, const grammar::InteractiveLayer& now);
+  void SeeWhetherDone();
   PlacingStep Begin(const DragAct& drag, const View& view, double scale);
   PlacingStep End(const DragAct& drag, const View& view);
 
   State state_;
   uint64_t executed_ = 0;
-  Found found_;                    // of the newest state that has been looked at
-  std::optional<LayerDrag> drag_;  // that goes on
-  std::optional<LayerDrag> left_;  // that has ended, and is not to be seen in the model yet
-  uint64_t posted_ = 0;            // the last request; none yet of its number: UINT64_MAX
+  Found found_;                                 // of the newest state that has been looked at
+  std::optional<LayerDrag> drag_;               // that goes on
+  std::shared_ptr<const PlacedLayers> wanted_;  // as commands that are on their way place them
+  uint64_t posted_ = 0;  // the last of those; none yet of its number: UINT64_MAX
   HeldElement held_;
   std::optional<int> device_;  // whose drag is taken
   std::optional<LayerGrip> meant_;

@@ -22,6 +22,9 @@ TEST(CommandTest, EveryCommandReadsBackAsWritten) {
                            R"~(rule-text {"file":"a b.cga","text":"// ü\nLot --> extrude(9)\n"})~",
                            "layers {}",
                            R"(layers {"off":["F.a"],"order":[["F",["a"]]],"rules":[["F.a","B"]]})",
+                           "place Door left 16.5 bottom 1.22",
+                           "place A door width 0.1 height 2",
+                           "place left left 3",
                            "clear",
                            "undo",
                            "redo",
@@ -79,7 +82,9 @@ TEST(CommandTest, IncompleteCommandsShowAnExample) {
                            "tree",         "rename-tree 1",   "rename-tree 0/1 x",
                            "keep-view",    "go-view",         "drop-view",
                            "erase",        "select",          "rule-text",
-                           "rule-text {}", "rule-text 3",     "layers"}) {
+                           "rule-text {}", "rule-text 3",     "layers",
+                           "place",        "place Door",      "place Door 4",
+                           "place left 4", "place Door left"}) {
     const auto command = ParseCommand(line);
     ASSERT_FALSE(command) << line;
     EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;

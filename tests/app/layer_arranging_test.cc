@@ -51,7 +51,7 @@ TEST(LayerArranging, EachArrangementIsThatOfTheGrammar) {
 TEST(LayerArranging, WhatIsInLineAlreadyChangesNothing) {
   const auto placed = PlacedBy(kPlacedRules);
   const InteractiveLayer door = placed->layers[kDoor].rules.layer;
-  EXPECT_FALSE(FileWith(*placed, kDoor, door));
+  EXPECT_FALSE(ChangeBetween(door, door));
   EXPECT_THAT(ChangesOf(*placed, kDoor, LayersBeside(*placed, kDoor).back()),
               ElementsAre(true, true, true, true, true, true, false))
       << "it stands on the ground";

@@ -30,10 +30,11 @@ class LayerDragTest : public testing::Test {
     drag.MoveTo(view_, Pixel(to));
     return drag;
   }
+  /// The text of the rules once it was dropped.
   std::string Text(const LayerDrag& drag) const {
-    const auto file = drag.Outcome();
-    EXPECT_TRUE(file);
-    return file ? file->text : "";
+    EXPECT_TRUE(drag.Outcome());
+    return grammar::TextWith(*drag.placed().rules, drag.placed().layers[drag.grip().layer].rules,
+                             drag.snapped().layer);
   }
 
   std::shared_ptr<const PlacedLayers> placed_ = PlacedBy(kPlacedRules);
@@ -45,7 +46,7 @@ TEST_F(LayerDragTest, TheWholeFollowsThePenAndTwoNumbersChange) {
   EXPECT_TRUE(drag.moved());
   EXPECT_EQ(Text(drag), With(With(kPlacedRules, "door_left = 4 ", "door_left = 16.5 "),
                              "segment(y, 0, 2.5", "segment(y, 1.22, 2.5"));
-  EXPECT_EQ(drag.Outcome()->name, "house.cga");
+  EXPECT_EQ(drag.Outcome(), (PlaceElement{"Door", 16.5, 1.22, {}, {}}));
 }
 
 TEST_F(LayerDragTest, ACornerResizesAndTheOppositeOneStays) {
@@ -100,6 +101,16 @@ TEST_F(LayerDragTest, ATapChangesNothing) {
   drag.MoveTo(view_, Pixel({4.75, 1.2}) + Vec2(2, -2));
   EXPECT_FALSE(drag.moved());
   EXPECT_FALSE(drag.Outcome());
+}
+
+TEST_F(LayerDragTest, ASmallMoveIsNotDrawnBack) {
+  const double px_per_m = view_.PixelsPerMetre(placed_->face.ToWorld({4.75, 1.2, 0}));
+  ASSERT_GT(px_per_m, 20) << "5 px are whole steps";
+  const LayerDrag drag = Dragged({4.75, 1.2}, {4.75 + 5 / px_per_m, 1.2});
+  EXPECT_NEAR(drag.snapped().layer.left, 4 + 5 / px_per_m, 0.011);
+  LayerDrag back = Dragged({4.75, 1.2}, {12, 5});
+  back.MoveTo(view_, Pixel({4.75 + 5 / px_per_m, 1.2}));
+  EXPECT_EQ(back.snapped().layer.left, 4) << "from afar it is";
 }
 
 TEST_F(LayerDragTest, BackWhereItWasChangesNothing) {

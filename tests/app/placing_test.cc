@@ -217,6 +217,25 @@ TEST_F(PlacingTest, TwoTapsAtOnceCountAsOne) {
   EXPECT_EQ(Text(), kPlacedRules);
 }
 
+TEST_F(PlacingTest, ButtonsAndDragsCountWhileWhatWasTypedIsDerived) {
+  const std::string slow = "Wall --> split(x) { ~0.01: Slice }*\n";
+  Tap(kDoor);
+  const uint64_t before = application_->snapshot().executed;
+  application_->Do(PanelCommand(Command(SetRuleText{"house.cga", kPlacedRules + slow})));
+  application_->Do(PanelCommand(ElementCommand::kCenterAcross));
+  application_->Do(PanelCommand(ElementCommand::kAlignTop));
+  ASSERT_TRUE(application_->Turn(0));
+  EXPECT_THAT(Words(), testing::Contains("1.5 × 2.5 m, 8.25 m from the left, 5.5 m up"))
+      << "seen at once";
+  EXPECT_EQ(application_->snapshot().executed, before) << "or nothing was tried here";
+  DragAndDrop({9, 6.75}, {17.25, 2.47});
+  EXPECT_EQ(Text(), DoorAt("16.5", "1.22") + slow);
+  Do("undo");
+  EXPECT_EQ(Text(), DoorAt("8.25", "5.5") + slow) << "each is a step of its own";
+  Do("undo");
+  EXPECT_EQ(Text(), DoorAt("8.25", "0") + slow);
+}
+
 TEST_F(PlacingTest, WhereAnElementWouldBeIsToldBesideThePen) {
   Drag(kDoor, kElsewhere);
   EXPECT_THAT(Words(), testing::Contains("16.50 m from the left, 1.22 m up"));

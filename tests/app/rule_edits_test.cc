@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "app/document.h"
+#include "tests/app/placing_support.h"
 #include "tests/app/session_driver.h"
 #include "tests/support/program.h"
 
@@ -156,7 +157,7 @@ TEST_F(RuleEditsTest, TreesOfTheTextFollowItsEditsAndOthersStay) {
 }
 
 TEST_F(RuleEditsTest, WhatWasTypedIsInTheDocumentWithItsUndo) {
-  const std::string path = tests::TestFolder() + "/house.parti";
+  const std::string path = parti::tests::TestFolder() + "/house.parti";
   Do(Typed(HouseWith("height = 6", "height = 12")));
   Do(R"(layers {"off":["Facade.door"]})");
   ASSERT_TRUE(SaveDocument(DocumentOf(session), path));
@@ -202,6 +203,18 @@ TEST_F(RuleEditsTest, TheHistoryReplayedMakesTheSameBuilding) {
   }
   EXPECT_EQ(TextOf(*again.state().model.ground->source), TextOf(Source()));
   EXPECT_EQ(again.state().model.derived[0]->tree.size(), state().model.derived[0]->tree.size());
+}
+
+TEST_F(RuleEditsTest, AnElementIsPlacedByItsNumbers) {
+  session = Session(tests::HouseBy(tests::SourceOf(tests::kPlacedRules)), Camera());
+  Do("place Door left 6 height 2");
+  std::string text = tests::kPlacedRules;
+  text.replace(text.find("door_left = 4"), 13, "door_left = 6");
+  text.replace(text.find("y, 0, 2.5"), 9, "y, 0, 2");
+  EXPECT_EQ(Source().files[0].text, text);
+  const Error error = Refused("place Dor left 6");
+  EXPECT_EQ(error.code, ErrorCode::kUnknownName);
+  EXPECT_THAT(error.hint, HasSubstr("Windows, Door"));
 }
 
 }  // namespace
