@@ -99,7 +99,9 @@ Result<SessionState> Do(const Pick& command, SessionState state, const SessionOp
   const size_t chosen = Chosen(command, sketch.suggestions);
   if (chosen >= sketch.suggestions.size()) {
     return Fail(ErrorCode::kUnknownName,
-                fmt::format("there is no suggestion {} {}", command.number, command.operation),
+                command.operation.empty() ? fmt::format("there is no suggestion {}", command.number)
+                                          : fmt::format("there is no suggestion {} {}",
+                                                        command.number, command.operation),
                 fmt::format("this sketch has {} suggestions", sketch.suggestions.size()));
   }
   const grammar::Action& action = sketch.suggestions[chosen].action;

@@ -59,6 +59,7 @@ struct DocumentStatus {
 struct FailedRequest {
   uint64_t number = 0;
   Error error;
+  bool mended = false;  ///< one after it has been done, and more than looked: nobody need read it
 };
 
 /// What the session thread knows at one moment. Snapshots are never changed: keep them at will.

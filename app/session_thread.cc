@@ -44,6 +44,11 @@ Result<void> Checked(const Command& command) {
   return again ? Result<void>() : Fail(again);
 }
 
+bool IsLook(const SessionRequest& request) {
+  const auto* command = std::get_if<Command>(&request);
+  return command && IsLooking(*command);
+}
+
 /// What a person reads while it takes its time.
 std::string Doing(const DocumentRequest& request) {
   switch (request.kind) {
@@ -119,7 +124,11 @@ class SessionThread::Impl {
     while (auto request = Next()) {
       SetBegun();
       auto done = request->moot ? Result<void>() : Do(*request);
-      if (!done) Note(request->number, done.error());
+      if (!done) {
+        Note(request->number, done.error());
+      } else if (!request->moot && !IsLook(*request->what)) {
+        NoteMended();
+      }
       document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
       PublishState(request->number);
     }
@@ -227,6 +236,11 @@ class SessionThread::Impl {
   void Note(uint64_t number, const Error& error) {
     const std::lock_guard lock(publish_mutex_);
     snapshot_.last_error = {number, error};
+  }
+
+  void NoteMended() {
+    const std::lock_guard lock(publish_mutex_);
+    if (snapshot_.last_error) snapshot_.last_error->mended = true;
   }
 
   void SetBegun() {

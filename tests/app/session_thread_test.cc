@@ -68,6 +68,18 @@ TEST_F(SessionThreadTest, SnapshotsStayAsTheyAre) {
   EXPECT_THAT(before->state->model.trees(), SizeIs(0));
 }
 
+TEST_F(SessionThreadTest, AFailureIsMendedByWhatIsDoneAfterItAndNotByLooking) {
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  thread.Post(Line("pick 3"));
+  const auto looked =
+      Settled(&thread, thread.Post(Line("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000")));
+  ASSERT_TRUE(looked->last_error);
+  EXPECT_FALSE(looked->last_error->mended);
+  EXPECT_TRUE(Settled(&thread, thread.Post(Line("undo")))->last_error->mended);
+  EXPECT_FALSE(Settled(&thread, thread.Post(Line("pick 3")))->last_error->mended) << "another one";
+}
+
 TEST_F(SessionThreadTest, WhatFailsIsSaidWithItsNumberAndTheRestGoesOn) {
   SessionThread thread(options_);
   thread.Post(Line("lot rect(20,14)"));
