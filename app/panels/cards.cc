@@ -6,14 +6,19 @@
 namespace parti::app::panels {
 namespace {
 
+constexpr float kTip = 24;  ///< what a hand covers beyond the pen's tip
+constexpr float kGap = 16;  ///< between cards and a stroke beside them
+constexpr float kAbove =
+    60;  ///< above it, clear of a hand at its end and of the word beside the pen
+
 float Units(double scale, float units) { return static_cast<float>(scale * units); }
 
 /// In the order in which they are wanted.
 std::array<Box, 8> PlacesOf(const CardNeeds& needs) {
   const Box &stroke = needs.stroke, &room = needs.room;
-  const float width = needs.width, height = needs.height, gap = Units(needs.scale, 16);
+  const float width = needs.width, height = needs.height, gap = Units(needs.scale, kGap);
   const float x0 = stroke.x0 - gap - width, x1 = stroke.x1 + gap;
-  const float y0 = stroke.y0 - gap - height, y1 = stroke.y1 + gap;
+  const float y0 = stroke.y0 - Units(needs.scale, kAbove) - height, y1 = stroke.y1 + gap;
   const float near = needs.left_handed ? x1 : x0, far = needs.left_handed ? x0 : x1;
   const float level = stroke.middle_y() - height / 2;
   return {
@@ -37,7 +42,7 @@ std::ptrdiff_t Covered(const Box& box, const std::vector<Box>& things) {
 
 Box HandAt(const Vec2& pen_px, bool left_handed, double scale) {
   const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
-  const float tip = Units(scale, 24), width = Units(scale, 300), height = Units(scale, 320);
+  const float tip = Units(scale, kTip), width = Units(scale, 300), height = Units(scale, 320);
   return left_handed ? Box{x - width, y - tip, x + tip, y + height}
                      : Box{x - tip, y - tip, x + width, y + height};
 }

@@ -93,6 +93,10 @@ RC_GTEST_PROP(PanelLayout, CardsLieInTheirRoomAndNeverUnderTheHand, ()) {
 TEST(PanelLayoutTest, CardsAreOnTheSideOfTheOtherHand) {
   const Box stroke{780, 480, 820, 520}, room{0, 0, 1600, 1000};
   EXPECT_LT(CardsBeside({stroke, 264, 200, room, Vec2(820, 520), false, 1, {}}).x1, stroke.x0);
+  const Box up{800, 380, 800, 580};  // as a line up from the lot, that the pen has ended above
+  const Box beside = CardsBeside({up, 264, 100, room, Vec2(800, 380), false, 1, {}});
+  EXPECT_EQ(beside.y1, up.y0 - 60) << "above it, and no farther than it must be";
+  EXPECT_EQ(beside.middle_x(), up.middle_x());
   EXPECT_GT(CardsBeside({stroke, 264, 200, room, Vec2(780, 520), true, 1, {}}).x0, stroke.x1);
 }
 
