@@ -313,8 +313,8 @@ void Application::SetPenWord(std::string word) {
 void Application::Take(const PanelAct& act) {
   const auto* key = std::get_if<KeyEvent>(&act.event);
   if (!key) {
-    if (PassesOver(act.event)) return;
-    return panel_events_.push_back(act.event);
+    if (auto event = ForPanels(act.event)) panel_events_.push_back(std::move(*event));
+    return;
   }
   if (key->pressed && key->code == KEY_ESC && placing_.Cancel()) {
     marks_stale_ = true;
@@ -447,12 +447,15 @@ bool Application::OverPanel(const Vec2& px) {
   return panel_output_->holds_pointer || aside_.IsOverSheet(px);
 }
 
-/// A pointer that hovers beside the panels, as it did before, is nothing to them.
-bool Application::PassesOver(const PanelEvent& event) {
-  const bool was_theirs = pointer_is_panels_;
+/// What panels are to be told. A pointer that hovers beside them is gone, and once is enough: what
+/// comes up later where they saw it last is not hovered.
+std::optional<PanelEvent> Application::ForPanels(const PanelEvent& event) {
   const auto* pointer = std::get_if<PanelPointer>(&event);
-  pointer_is_panels_ = pointer && (pointer->down || OverPanel(pointer->px));
-  return !std::holds_alternative<PanelScroll>(event) && !was_theirs && !pointer_is_panels_;
+  if (std::holds_alternative<PanelScroll>(event)) return event;
+  const bool was_theirs =
+      std::exchange(pointer_is_panels_, pointer && (pointer->down || OverPanel(pointer->px)));
+  if (pointer_is_panels_) return event;
+  return was_theirs ? std::optional<PanelEvent>(PanelPointerGone{}) : std::nullopt;
 }
 
 PanelView Application::ViewForPanels() const {

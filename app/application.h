@@ -109,7 +109,7 @@ class Application {
   uint64_t Post(SessionRequest request);
 
   bool OverPanel(const Vec2& px);
-  bool PassesOver(const PanelEvent& event);
+  std::optional<PanelEvent> ForPanels(const PanelEvent& event);
   void SetPenWord(std::string word);
   void RunPanels(std::vector<PanelEvent> events);
   PanelView ViewForPanels() const;

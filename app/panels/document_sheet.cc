@@ -1,5 +1,7 @@
 // The document's sheets: new, open, save as, recent, with a list of files of our own. Names come
 // in PanelView::files; nothing is read or written here.
+#include <utility>
+
 #include "app/panels/sheet_rows.h"
 #include "app/panels/words.h"
 
@@ -20,7 +22,7 @@ std::string NameNow(const PanelView& view) {
 
 void Go(Ui* ui, Memory* memory, Sheet sheet) {
   memory->open = sheet;
-  memory->file_name = NameNow(ui->view());
+  memory->name_asked = sheet == Sheet::kSaveAs;
   ui->Send(ListFolder{ui->view().files.folder});
 }
 
@@ -84,6 +86,10 @@ void OpenRows(Ui* ui, Memory* memory, Form* form) {
 
 void SaveAsRows(Ui* ui, Memory* memory, Form* form) {
   if (form->Heading("Save as")) memory->open = Sheet::kNone;
+  if (form->draw() && std::exchange(memory->name_asked, false)) {
+    memory->file_name = NameNow(ui->view());
+    if (ui->view().has_keys) ui->StartTyping("Name", memory->file_name);
+  }
   if (const auto typed = form->Field("Name", memory->file_name)) memory->file_name = *typed;
   const bool named = !memory->file_name.empty();
   if (form->Action("Save here", named)) {

@@ -32,9 +32,10 @@ struct Memory {
   TypedFiles typed_files;
   KnownFiles known_files;
   KnownRules known_rules;
-  std::string open_layer;  ///< "Facade.door": its rule is being picked; "" none
-  uint64_t dismissed = 0;  ///< FailedRequest::number that was read
-  std::string file_name;   ///< being given, without its folder
+  std::string open_layer;   ///< "Facade.door": its rule is being picked; "" none
+  uint64_t dismissed = 0;   ///< FailedRequest::number that was read
+  std::string file_name;    ///< being given, without its folder
+  bool name_asked = false;  ///< the sheet that asks for it has been opened, and not drawn yet
   std::string export_ending = "glb";
   std::string view_name;
   bool drafts_seen = false;  ///< the card that offers them at the start was closed
@@ -46,6 +47,7 @@ struct Memory {
   /// Opens a sheet, or closes it when it is the one that is open.
   void Toggle(Sheet sheet, const Box& button) {
     open = open == sheet ? Sheet::kNone : sheet;
+    name_asked = open == Sheet::kSaveAs;
     opened_at = button;
   }
 };

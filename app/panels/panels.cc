@@ -1,5 +1,7 @@
 #include "app/panels/panels.h"
 
+#include <linux/input-event-codes.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -149,6 +151,7 @@ void Panels::Parts::FeedKey(const KeyEvent& key) {
   host_.Feed(key);
   if (ui_.field_active() || !PressSheetKey(key, host_.control(), &memory_)) return ui_.FeedKey(key);
   took_key_ = true;
+  if (key.code == KEY_ESC) ui_.LetGoOfFocus();  // it was in what has just closed
   const bool lists = memory_.open == Sheet::kOpen || memory_.open == Sheet::kSaveAs;
   if (lists) output_.commands.emplace_back(ListFolder{view_.files.folder});
 }

@@ -223,7 +223,7 @@ Press Ui::Button(const ButtonLook& look, const Box& box) {
     Text(look.label,
          text_only ? rest.Inset(U(8), 0) : Box{rest.x0, rest.y0, rest.x1 - U(8), rest.y1},
          {Letter::kBody, tone, ground, text_only ? look.align : 0});
-  } else if (press.hovered) {
+  } else if (WantsNote(Full(look.name), press)) {
     Note(look.keys.empty() ? look.name : look.name + "   " + look.keys, box);
   }
   return press;
@@ -239,6 +239,13 @@ bool Ui::Switch(const std::string& name, const Box& box, bool on, Ground ground)
   list()->AddCircleFilled({x, pill.middle_y()}, U(6), on ? palette_->on_accent : track, 24);
   if (press.hovered) Note(name, box);
   return press.pressed;
+}
+
+/// Who has pressed it knows it, and needs to see what it has opened.
+bool Ui::WantsNote(const std::string& full, const Press& press) {
+  if (press.pressed) hushed_ = full;
+  if (!press.hovered && hushed_ == full) hushed_.clear();
+  return press.hovered && hushed_ != full;
 }
 
 ImFont* Ui::FontOf(Letter letter) const {

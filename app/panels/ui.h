@@ -120,6 +120,10 @@ class Ui {
   /// What was typed, when it is done with.
   std::optional<std::string> Field(const std::string& name, const Box& box,
                                    const std::string& value, const std::string& hint = {});
+  /// The field of this name is typed into from now on, all that it has selected; call it before it.
+  void StartTyping(const std::string& name, const std::string& value) {
+    StartEdit(Full(name), value);
+  }
   /// Less, the number, more.
   NumberWish Number(const NumberLook& look, const Box& box);
   /// true: it is to be switched over.
@@ -151,6 +155,7 @@ class Ui {
   bool field_active() const { return !editing_.empty(); }
   /// A name that has the keyboard's focus, "" none.
   const std::string& focus() const { return focus_; }
+  void LetGoOfFocus() { focus_.clear(); }
   /// The drag under way is not to scroll the list that it began in.
   void KeepDrag() { scrolling_.clear(); }
   bool pointer_over() const { return pointer_over_; }  ///< a sheet, or it holds something of one
@@ -167,6 +172,7 @@ class Ui {
   void FocusNext(int step);
   void FocusBeside(int dx, int dy);
   bool TakeEnter(const std::string& full);
+  bool WantsNote(const std::string& full, const Press& press);
   void ShowFocus(const std::string& full, const Box& box);
   void ScrollWithPointer(const std::string& full, const Box& box);
   void AddTarget(const std::string& full, const Box& box, bool enabled);
@@ -208,6 +214,7 @@ class Ui {
   std::optional<KeyEvent> key_;
   bool took_key_ = false;
   std::string complaint_;
+  std::string hushed_;  // its note was read, or not wanted: it was pressed
   std::string note_;
   Box note_beside_;
 };

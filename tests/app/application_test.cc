@@ -333,6 +333,30 @@ TEST_F(ApplicationTest, WhileAPenHoversOverNothingPanelsAreNotMadeAnew) {
   EXPECT_EQ(display_->frames(), frames);
 }
 
+TEST_F(ApplicationTest, WhatComesUpWhereThePointerWasIsNotHovered) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  device_ = kMouse;
+  Do("pick 9");
+  ASSERT_THAT(Words(), testing::Contains(HasSubstr("no suggestion 9. This")));
+  const auto& targets = application_->panels().targets;
+  const auto close = std::find_if(targets.begin(), targets.end(), [](const PanelTarget& target) {
+    return target.name == "Status/Close the message";
+  });
+  ASSERT_NE(close, targets.end());
+  const Vec2 at = (close->low_px + close->high_px) * 0.5;
+  using Kind = PenEvent::Kind;
+  for (const Kind kind : {Kind::kMotion, Kind::kDown, Kind::kUp, Kind::kMotion}) {
+    Pen(kind, at);
+    Settle();
+  }
+  Pen(Kind::kMotion, {800, 500});
+  Settle();
+  Do("pick 9");
+  EXPECT_THAT(Words(), testing::Contains(HasSubstr("no suggestion 9. This")));
+  EXPECT_THAT(Words(), testing::Not(testing::Contains("Close the message")));
+}
+
 TEST_F(ApplicationTest, AScreenWithAPenIsMappedToItsOwnOutput) {
   DeviceFacts cintiq;
   cintiq.has_pen = cintiq.has_display = true;

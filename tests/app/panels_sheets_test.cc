@@ -34,6 +34,19 @@ TEST_F(PanelsSheets, ANewDocumentIsAskedFor) {
   EXPECT_FALSE(ShowsSheet("Document"));
 }
 
+TEST_F(PanelsSheets, ANameIsAskedForAtOnceAndTypedOver) {
+  panels_.Key(KEY_LEFTCTRL);
+  panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = true}});
+  panels_.Key(KEY_S);
+  panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = false}});
+  panels_.Frame();
+  EXPECT_TRUE(panels_.last().takes_keys) << "keys are letters, and choose no tools";
+  panels_.Type("Barn");
+  panels_.Key(KEY_ENTER);
+  EXPECT_THAT(panels_.Tap("Save as/Save here"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kSaveAs, "/srv/Barn.parti"})));
+}
+
 TEST_F(PanelsSheets, ADocumentIsOpenedFromItsFolder) {
   panels_.Tap("Title/Document");
   EXPECT_THAT(panels_.Tap("Document/Open…"), ElementsAre(PanelCommand(ListFolder{"/srv"})));
@@ -80,6 +93,7 @@ TEST_F(PanelsSheets, ADraftIsThrownAwayAfterAskingOnceMore) {
 }
 
 TEST_F(PanelsSheets, ItIsSavedUnderATypedName) {
+  panels_.view.has_keys = false;  // the keyboard on the screen comes up when it is asked for
   panels_.Tap("Title/Document");
   panels_.Tap("Document/Save as…");
   panels_.Tap("Save as/Name");
@@ -166,6 +180,8 @@ TEST_F(PanelsSheets, KeysOpenAndCloseThem) {
   panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = true}});
   panels_.Key(KEY_S);
   panels_.Frame({KeyEvent{.code = KEY_LEFTCTRL, .pressed = false}});
+  EXPECT_TRUE(ShowsSheet("Save as"));
+  panels_.Key(KEY_ESC);  // ends the typing
   EXPECT_TRUE(ShowsSheet("Save as"));
   panels_.Frame({KeyEvent{.code = KEY_ESC, .pressed = true}});
   EXPECT_TRUE(panels_.last().takes_keys);

@@ -50,6 +50,22 @@ TEST(PanelsTest, HoveringASuggestionPreviewsIt) {
   EXPECT_EQ(panels.Hover("Suggestions/1 Extrude 19 m").preview, std::optional<size_t>(0));
 }
 
+bool SaysNote(const PanelOutput& output, const std::string& words) {
+  return std::any_of(output.texts.begin(), output.texts.end(),
+                     [&](const PanelText& text) { return text.text == words; });
+}
+
+TEST(PanelsTest, ANoteGoesWhereItsButtonIsPressedUntilThePointerHasLeft) {
+  PanelDriver panels;
+  panels.view.session = WholeHouse();
+  EXPECT_TRUE(SaysNote(panels.Hover("Menu/Rules"), "Rules   R"));
+  const Vec2 at = MiddleOf(panels.Find("Menu/Rules"));
+  panels.Frame({PanelPointer{at, true}, PanelPointer{at, false}});
+  EXPECT_FALSE(SaysNote(panels.Frame(), "Rules   R")) << "it would lie on what was opened";
+  panels.Frame({PanelPointer{{600, 400}, false}});
+  EXPECT_TRUE(SaysNote(panels.Hover("Menu/Rules"), "Rules   R"));
+}
+
 TEST(PanelsTest, EnterPressesWhatTabCameTo) {
   PanelDriver panels;
   panels.view.session = HouseBeforePick(1);
