@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "app/weld.h"
 #include "base/text_file.h"
 
 namespace parti::app {
@@ -52,7 +53,7 @@ class ObjMaker {
   void AddGroup(const SymbolGroup& group, const ModelMesh& mesh, bool with_materials) {
     bool named = false;
     for (const size_t i : group.parts) {
-      const WeldedPart part = Weld(mesh.parts[i].corners);
+      const WeldedPart& part = welder_.Weld(mesh.parts[i].corners);
       if (part.triangles.empty()) continue;
       if (!named) text_ += fmt::format("g {}\n", Word(group.name));
       named = true;
@@ -98,6 +99,7 @@ class ObjMaker {
     return it->second;
   }
 
+  Welder welder_;
   std::string text_, material_;
   size_t points_ = 0;
   std::unordered_map<std::string, size_t> normals_, uvs_;

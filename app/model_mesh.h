@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,29 +30,31 @@ struct ModelMesh {
   std::vector<ModelPart> parts;
 };
 
+/// What is given parts one by one; false: it has had enough.
+using PartSink = std::function<bool(const ModelPart&)>;
+
+/// A model whose parts are made when they are asked for, one after the other: of a large model all
+/// of them need many times the memory of the file.
+struct ModelParts {
+  std::function<void(const PartSink&)> visit;  ///< the same parts each time
+  size_t most_triangles = 0;                   ///< there are no more; counted without making them
+};
+
+/// The leaves of the trees of all lots, in the order of ModelMeshFrom. The trees must outlive it.
+ModelParts PartsOf(std::vector<const grammar::ShapeTree*> trees);
+ModelParts PartsOf(const ModelMesh& mesh);  ///< the mesh must outlive it
+
 /// The leaves of the trees of all lots.
 ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees);
 ModelMesh ModelMeshFrom(const grammar::ShapeTree& tree);
-
-/// A part with shared corners. Corners nearer than kWeld_m are one: faces of a body that work out a
-/// corner by different sums then meet exactly.
-struct WeldedPart {
-  std::vector<Vec3> points;         ///< in the order in which triangles name them first
-  std::vector<uint32_t> triangles;  ///< three indices each; those without area are left out
-  std::vector<Vec3> normals;        ///< one a triangle, unit length
-  std::vector<uint32_t> sources;    ///< one a triangle: which of the part's it was
-};
-
-inline constexpr double kWeld_m = 1e-5;
-
-/// Left out: triangles with corners that are not finite, or without area. Linear.
-WeldedPart Weld(const std::vector<Vec3>& corners);
 
 /// Symbols in order of their first part, each with its parts' numbers.
 struct SymbolGroup {
   std::string name;  ///< "Unnamed" for shapes without symbol; always UTF-8
   std::vector<size_t> parts;
 };
+/// "Unnamed" for "", and _ for each byte of what is not UTF-8.
+std::string GroupNameOf(const std::string& symbol);
 std::vector<SymbolGroup> GroupBySymbol(const ModelMesh& mesh);
 
 }  // namespace parti::app

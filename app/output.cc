@@ -24,10 +24,14 @@ struct Request {
   const std::string& path;
 };
 
-ModelMesh MeshOf(const Model& model) {
+std::vector<const grammar::ShapeTree*> TreesOf(const Model& model) {
   std::vector<const grammar::ShapeTree*> trees;
   for (const auto& derivation : model.derived) trees.push_back(&derivation->tree);
-  return ModelMeshFrom(trees);
+  return trees;
+}
+
+Result<void> WriteGltf(const Request& request, GltfForm form) {
+  return ExportGltf(PartsOf(TreesOf(request.model)), form, request.path);
 }
 
 Result<void> WriteRules(const Request& request) {
@@ -59,11 +63,10 @@ struct Format {
 };
 
 constexpr std::array kFormats = {
-    Format{".glb",
-           [](const Request& r) { return ExportGltf(MeshOf(r.model), GltfForm::kBinary, r.path); }},
-    Format{".gltf",
-           [](const Request& r) { return ExportGltf(MeshOf(r.model), GltfForm::kText, r.path); }},
-    Format{".obj", [](const Request& r) { return ExportObj(MeshOf(r.model), r.path); }},
+    Format{".glb", [](const Request& r) { return WriteGltf(r, GltfForm::kBinary); }},
+    Format{".gltf", [](const Request& r) { return WriteGltf(r, GltfForm::kText); }},
+    Format{".obj",
+           [](const Request& r) { return ExportObj(ModelMeshFrom(TreesOf(r.model)), r.path); }},
     Format{".cga", WriteRules},
     Format{".png", WriteView},
 };

@@ -79,7 +79,10 @@ int PrintStats(const OpenedModel& opened, const Times& times) {
     shapes += derivation->tree.size();
     terminals += derivation->tree.Leaves().size();
   }
-  for (const ModelPart& part : ModelMeshFrom(trees).parts) triangles += part.corners.size() / 3;
+  PartsOf(trees).visit([&triangles](const ModelPart& part) {
+    triangles += part.corners.size() / 3;
+    return true;
+  });
   nlohmann::ordered_json stats{{"shapes", shapes},
                                {"terminals", terminals},
                                {"triangles", triangles},

@@ -197,7 +197,7 @@ TEST(ExportGlb, NothingToExportIsAnError) {
                                {{{"Line", 0, false, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}}},
                                {{{"Nan", 0, true, {{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}}};
   for (const ModelMesh& mesh : nothing) {
-    const auto exported = ExportGltf(mesh, GltfForm::kBinary, "house.glb");
+    const auto exported = ExportGltf(PartsOf(mesh), GltfForm::kBinary, "house.glb");
     ASSERT_FALSE(exported);
     EXPECT_EQ(exported.error().code, ErrorCode::kNothingMade);
     EXPECT_NE(exported.error().message.find("house.glb"), std::string::npos);
@@ -205,8 +205,56 @@ TEST(ExportGlb, NothingToExportIsAnError) {
   }
 }
 
+/// `mesh`, with the number of parts that were asked for.
+ModelParts Counted(const ModelMesh& mesh, size_t* asked) {
+  ModelParts parts = PartsOf(mesh);
+  parts.visit = [visit = parts.visit, asked](const PartSink& sink) {
+    visit([&](const ModelPart& part) { return ++*asked, sink(part); });
+  };
+  return parts;
+}
+
+TEST(ExportGlb, WhatDoesNotFitIsRefusedToTheByte) {
+  const ModelMesh sample = Sample();
+  const size_t needed = Load(SampleBytes()).buffers.at(0).data.size();
+  size_t asked = 0;
+  const auto fits = GltfBytes(Counted(sample, &asked), GltfForm::kBinary, needed);
+  EXPECT_EQ(fits.value_or(""), SampleBytes());
+  EXPECT_EQ(asked, 2 * sample.parts.size()) << "it was not counted first";
+  for (const GltfForm form : {GltfForm::kBinary, GltfForm::kText}) {
+    const auto exported = ExportGltf(PartsOf(sample), form, "house.glb", needed - 1);
+    ASSERT_FALSE(exported);
+    EXPECT_EQ(exported.error().code, ErrorCode::kLimitReached);
+    EXPECT_EQ(exported.error().message, "house.glb: the model is too large for glTF (4 GB)");
+    EXPECT_FALSE(exported.error().hint.empty());
+    EXPECT_FALSE(std::filesystem::exists("house.glb"));
+  }
+}
+
+TEST(ExportGlb, CountingStopsWhereTheLimitIsReachedAndWhatSurelyFitsIsNotCounted) {
+  const ModelMesh sample = Sample();
+  size_t asked = 0;
+  EXPECT_FALSE(GltfBytes(Counted(sample, &asked), GltfForm::kBinary, 100));
+  EXPECT_EQ(asked, 1u) << "the first part has more than that";
+  asked = 0;
+  EXPECT_TRUE(GltfBytes(Counted(sample, &asked), GltfForm::kBinary));
+  EXPECT_EQ(asked, sample.parts.size());
+}
+
+TEST(ExportGlb, PartsOfTreesAreThoseOfTheirMeshAndNoMoreThanWasSaid) {
+  for (const grammar::ShapeTree& tree : {tests::Courtyard(), tests::TownHouse()}) {
+    const ModelMesh mesh = ModelMeshFrom(tree);
+    const ModelParts parts = PartsOf({&tree});
+    const auto bytes = GltfBytes(parts, GltfForm::kBinary);
+    ASSERT_TRUE(bytes) << FormatError(bytes.error());
+    EXPECT_EQ(*bytes, GltfBytes(mesh, GltfForm::kBinary).value_or(""));
+    EXPECT_GE(parts.most_triangles, PartsOf(mesh).most_triangles);
+  }
+}
+
 TEST(ExportGlb, FilesThatCannotBeWrittenAreErrors) {
-  const auto exported = ExportGltf(Sample(), GltfForm::kBinary, "/no/such/folder/house.glb");
+  const ModelMesh sample = Sample();
+  const auto exported = ExportGltf(PartsOf(sample), GltfForm::kBinary, "/no/such/folder/house.glb");
   ASSERT_FALSE(exported);
   EXPECT_EQ(exported.error().code, ErrorCode::kFile);
 }

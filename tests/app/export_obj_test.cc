@@ -144,21 +144,5 @@ TEST(ExportObj, FailuresAreErrors) {
   EXPECT_EQ(ExportObj(Sample(), "/no/such/folder/house.obj").error().code, ErrorCode::kFile);
 }
 
-TEST(Weld, JoinsCornersThatRoundingKeptApart) {
-  const double e = 2e-6;
-  const WeldedPart part = Weld({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, e, 0}, {1, 1, -e}, {e, 1, 0}});
-  EXPECT_EQ(part.points.size(), 4u);
-  EXPECT_EQ(part.triangles, (std::vector<uint32_t>{0, 1, 2, 1, 3, 2}));
-  EXPECT_EQ(part.normals.size(), 2u);
-}
-
-TEST(Weld, LeavesOutWhatHasNoAreaOrNoPlace) {
-  const double inf = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(Weld({{0, 0, 0}, {1, 0, 0}, {1, 1e-7, 0}}).triangles.empty());
-  EXPECT_TRUE(Weld({{0, 0, 0}, {1, 0, 0}, {0, inf, 0}}).triangles.empty());
-  EXPECT_TRUE(Weld({{0, 0, 0}, {1, 0, 0}}).triangles.empty());
-  EXPECT_TRUE(Weld({{1e300, 0, 0}, {1, 0, 0}, {0, 1, 0}}).triangles.empty());
-}
-
 }  // namespace
 }  // namespace parti::app
