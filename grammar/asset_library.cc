@@ -1,11 +1,26 @@
 #include "grammar/asset_library.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "grammar/operation.h"
 
 namespace parti::grammar {
 namespace {
+
+/// How CityEngine names assets that come with it and are no files.
+constexpr std::string_view kBuiltIn = "builtin:";
+
+/// errors  kUnknownName  another one than its cube, with texture coordinates or without.
+Result<Asset> BuiltIn(const std::string& name) {
+  if (name != "builtin:cube" && name != "builtin:cube:notex") {
+    return Fail(ErrorCode::kUnknownName, fmt::format("there is no '{}'", name),
+                "built-in assets are builtin:cube and builtin:cube:notex");
+  }
+  const Vec3 unit(1, 1, 1);
+  return Asset{Vec3(0, 0, 0), unit, std::make_shared<const Mesh>(BoxMesh(unit)), nullptr};
+}
 
 /// "rules" of "rules/a", "" of "rules", ".." of "", "../.." of "..".
 std::string FolderAbove(const std::string& folder) {
@@ -41,16 +56,17 @@ Result<std::shared_ptr<const Asset>> AssetLibrary::Get(const std::string& path) 
   const std::lock_guard lock(mutex_);
   const auto found = read_.find(path);
   if (found != read_.end()) return found->second;
-  const auto read = [&]() -> Result<std::shared_ptr<const Asset>> {
+  const auto read = [&]() -> Result<Asset> {
+    if (path.starts_with(kBuiltIn)) return BuiltIn(path);
     const auto bytes = files_(path);
     if (!bytes) return Fail(bytes);
     const std::string folder(FolderOf(path));
-    auto asset = AssetFrom(
-        *bytes, path, [&](const std::string& name) { return files_(PathBeside(folder, name)); });
-    if (!asset) return Fail(asset);
-    return std::make_shared<const Asset>(std::move(*asset));
+    return AssetFrom(*bytes, path,
+                     [&](const std::string& name) { return files_(PathBeside(folder, name)); });
   };
-  return read_.emplace(path, read()).first->second;
+  auto asset =
+      read().map([](Asset&& one) { return std::make_shared<const Asset>(std::move(one)); });
+  return read_.emplace(path, std::move(asset)).first->second;
 }
 
 std::string_view FolderOf(std::string_view path) {
@@ -82,7 +98,8 @@ Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Actio
   const int file = action->operation->file;
   if (file >= 0) {
     const auto& name = std::get<std::string>(action->arguments[static_cast<size_t>(file)]);
-    auto asset = FirstOf(PathsFor(folder, name), library);
+    auto asset =
+        name.starts_with(kBuiltIn) ? library->Get(name) : FirstOf(PathsFor(folder, name), library);
     if (!asset) return Fail(asset);
     action->asset = std::move(*asset);
   }

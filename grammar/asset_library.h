@@ -19,7 +19,9 @@ class AssetLibrary {
   /// files gets paths as Get does, and names of what a file refers to, put in the file's folder.
   explicit AssetLibrary(FileReader files) : files_(std::move(files)) {}
 
-  /// errors  those of AssetFrom and of the reader, the same every time.
+  /// CityEngine's "builtin:cube" and "builtin:cube:notex" are unit cubes, and no files.
+  /// errors  those of AssetFrom and of the reader, the same every time;  kUnknownName  another
+  ///         "builtin:".
   Result<std::shared_ptr<const Asset>> Get(const std::string& path);
 
  private:
@@ -40,7 +42,7 @@ inline constexpr size_t kMostFolders = 16;
 
 /// Sets Action::asset of every action that names a file (ParameterKind::kFile), those in braces
 /// included; `folder` is that of the rules ("" where they have none), names are looked for as
-/// PathsFor says.
+/// PathsFor says, but for built-in ones.
 /// errors  those of Get for the path beside the rules, the first in reading order.
 Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action);
 

@@ -64,7 +64,9 @@ const std::array<Parameter, 3> kParameters = {
     Parameter{.name = "file",
               .kind = ParameterKind::kText,
               .default_value = std::string("window.obj"),
-              .doc = "an .obj, .gltf or .glb beside the rules, or in a folder above"},
+              .doc =
+                  "an .obj, .gltf or .glb beside the rules, or in a folder above; builtin:cube and "
+                  "builtin:cube:notex are a cube"},
     Parameter{.name = "upAxisOfGeometry",
               .kind = ParameterKind::kWord,
               .default_value = std::string(kYUp),

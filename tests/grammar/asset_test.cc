@@ -229,6 +229,28 @@ TEST(AssetLibrary, ADamagedAssetIsNotPassedOver) {
   EXPECT_TRUE(ResolveAssets("", &library, &insert));
 }
 
+TEST(Insert, CityEnginesCubesNeedNoFile) {
+  const Item lot = Lot("0,0 10,0 10,8 0,8");
+  const Item mass = Apply(Extrude(3), lot)->front().item;
+  for (const char* text : {R"~(i("builtin:cube") A)~", R"~(i("builtin:cube:notex") A)~"}) {
+    auto insert = *ParseAction(text);
+    AssetLibrary library(NoFile);
+    const auto resolved = ResolveAssets("rules", &library, &insert);
+    ASSERT_TRUE(resolved) << FormatError(resolved.error());
+    const Item box = Apply(insert, mass)->front().item;
+    EXPECT_EQ(FacesOf(box).size(), 6u) << text;
+    EXPECT_NEAR(box.scope.size.x * box.scope.size.y * box.scope.size.z, 240, 1e-9);
+    EXPECT_NEAR(Apply(insert, lot)->front().item.scope.size.y, 9, 1e-9)
+        << "its own proportions, by the mean of the others";
+  }
+  AssetLibrary library(NoFile);
+  auto other = *ParseAction("i(\"builtin:cub\") A");
+  const auto refused = ResolveAssets("", &library, &other);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kUnknownName);
+  EXPECT_THAT(refused.error().hint, HasSubstr("builtin:cube"));
+}
+
 TEST(Insert, FillsTheScopeAndStretchesItsDepth) {
   const Item window = Insert("i(\"window.obj\") W", Facade());
   EXPECT_EQ(window.type, ItemType::kVolume);
