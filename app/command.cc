@@ -130,6 +130,28 @@ Result<Command> ParseLayers(const Words& words) {
   return EditLayers{std::move(*layers)};
 }
 
+/// NAME and what becomes of it; the name is all that stands before that.
+Result<Command> ParseLayer(const Words& words) {
+  using How = ChangeLayer::How;
+  constexpr std::pair<std::string_view, How> kHow[] = {{"off", How::kOff},
+                                                       {"on", How::kOn},
+                                                       {"up", How::kUp},
+                                                       {"down", How::kDown},
+                                                       {"as-written", How::kGets}};
+  const size_t count = words.items.size();
+  const auto name = [&](size_t following) {
+    const std::string_view last = words.items[count - following - 1];
+    return std::string(words.rest.data(), last.data() + last.size());
+  };
+  if (count >= 4 && words.items[count - 2] == "gets") {
+    return ChangeLayer{name(2), How::kGets, std::string(words.items[count - 1])};
+  }
+  for (const auto& [word, how] : kHow) {
+    if (count >= 3 && words.items[count - 1] == word) return ChangeLayer{name(1), how};
+  }
+  return Usage("layer Facade.door off");
+}
+
 /// NAME and pairs of a word and a number; the name is all that stands before them.
 Result<Command> ParsePlace(const Words& words) {
   constexpr std::string_view kExample = "place Door left 16.5 bottom 1.22";
@@ -250,6 +272,7 @@ constexpr std::array kRows = {
         }},
     Row{"rule-text", ParseRuleText},
     Row{"layers", ParseLayers},
+    Row{"layer", ParseLayer},
     Row{"place", ParsePlace},
     Row{"take", ParseTake},
     Row{"switch", ParseSwitch},

@@ -93,6 +93,16 @@ struct EditLayers {
   bool operator==(const EditLayers&) const = default;
 };
 
+/// "layer Facade.door off" or on; up or down, by one; "gets Gate", or "as-written": one layer of
+/// the rule files. What others have become in between stays.
+struct ChangeLayer {
+  enum class How { kOff, kOn, kUp, kDown, kGets };
+  std::string layer;  ///< "Facade.door"
+  How how = How::kOff;
+  std::string symbol = {};  ///< that it gets; "": the one of the text
+  bool operator==(const ChangeLayer&) const = default;
+};
+
 /// "place Door left 16.5 bottom 1.22": numbers of an element that rule files place by numbers, in
 /// m; those that are not named stay. Of the newest text, whatever has been typed in between.
 struct PlaceElement {
@@ -184,9 +194,9 @@ struct Redo {
 };
 
 using Command = std::variant<SetLot, SetView, Pick, RenameSymbol, RenameEverywhere, SetQuery,
-                             SetNumber, AddNode, Rewrite, SetRuleText, EditLayers, PlaceElement,
-                             Take, Switch, Move, Delete, AddTree, RenameTree, KeepView, GoView,
-                             DropView, Erase, Select, ClearSketch, Undo, Redo>;
+                             SetNumber, AddNode, Rewrite, SetRuleText, EditLayers, ChangeLayer,
+                             PlaceElement, Take, Switch, Move, Delete, AddTree, RenameTree,
+                             KeepView, GoView, DropView, Erase, Select, ClearSketch, Undo, Redo>;
 
 /// Looking and taking a node in hand change nothing that undo would bring back.
 bool IsLooking(const Command& command);

@@ -21,6 +21,30 @@ std::string LineOf(const SetRuleText& command) {
   return "rule-text " + json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string_view TextOf(ChangeLayer::How how) {
+  switch (how) {
+    case ChangeLayer::How::kOff:
+      return "off";
+    case ChangeLayer::How::kOn:
+      return "on";
+    case ChangeLayer::How::kUp:
+      return "up";
+    case ChangeLayer::How::kDown:
+      return "down";
+    case ChangeLayer::How::kGets:
+      break;
+  }
+  return "gets";
+}
+
+std::string LineOf(const ChangeLayer& command) {
+  if (command.how != ChangeLayer::How::kGets) {
+    return fmt::format("layer {} {}", command.layer, TextOf(command.how));
+  }
+  if (command.symbol.empty()) return fmt::format("layer {} as-written", command.layer);
+  return fmt::format("layer {} gets {}", command.layer, command.symbol);
+}
+
 std::string LineOf(const PlaceElement& command) {
   std::string line = "place " + command.element;
   const auto add = [&](const char* word, const std::optional<double>& number) {
@@ -59,6 +83,7 @@ std::string TextOf(const Command& command) {
           [](const Rewrite& c) { return "rewrite " + c.text; },
           [](const SetRuleText& c) { return LineOf(c); },
           [](const EditLayers& c) { return "layers " + TextOf(c.layers); },
+          [](const ChangeLayer& c) { return LineOf(c); },
           [](const PlaceElement& c) { return LineOf(c); },
           [](const Take& c) { return "take " + (c.path.empty() ? "none" : PathText(c.path)); },
           [](const Switch& c) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/placing/placed_layers.h"
+#include "grammar/rules/layer_list.h"
 
 namespace parti::app {
 namespace {
@@ -52,6 +53,25 @@ EditedModel Remade(const Model& model, RuleSource source) {
   return std::move(*made);
 }
 
+/// The edits with the layer at `at` of a listed rule changed.
+grammar::LayerEdits Changed(grammar::LayerEdits edits, const grammar::RuleSet& rules,
+                            const grammar::LayeredRule& listed, size_t at,
+                            const ChangeLayer& change) {
+  const std::string& name = listed.layers[at].name;
+  switch (change.how) {
+    case ChangeLayer::How::kOff:
+    case ChangeLayer::How::kOn:
+      return Switched(std::move(edits), listed.rule, name, change.how == ChangeLayer::How::kOn);
+    case ChangeLayer::How::kUp:
+      return Moved(std::move(edits), rules, listed, at, at > 0 ? at - 1 : at);
+    case ChangeLayer::How::kDown:
+      return Moved(std::move(edits), rules, listed, at, std::min(at + 1, listed.layers.size() - 1));
+    case ChangeLayer::How::kGets:
+      break;
+  }
+  return Given(std::move(edits), listed.rule, name, change.symbol);
+}
+
 /// The shape of the same id and symbol.
 std::optional<ShapeRef> SameIn(const Model& after, const Model& before, const ShapeRef& ref) {
   const auto same = RefAt(after, IdOf(before, ref));
@@ -84,6 +104,23 @@ EditedModel WithLayerEdits(const Model& model, const EditLayers& edit) {
   if (!model.ground->source) return Failed({NoFiles()});
   RuleSource source = *model.ground->source;
   source.layers = edit.layers;
+  return Remade(model, std::move(source));
+}
+
+EditedModel WithLayerChange(const Model& model, const ChangeLayer& change) {
+  if (!model.ground->source) return Failed({NoFiles()});
+  RuleSource source = *model.ground->source;
+  const grammar::LayerEdits before = std::exchange(source.layers, {});
+  const auto rules = RulesOf(source);
+  if (!rules) return Failed(rules.error());
+  const auto known = grammar::CheckLayer(change.layer, grammar::LayerNames(*rules));
+  if (!known) return Failed(std::vector<Error>{known.error()});
+  for (const grammar::LayeredRule& listed : ListLayers(*rules, before)) {
+    for (size_t i = 0; i < listed.layers.size(); ++i) {
+      if (grammar::LayerName(listed.rule, listed.layers[i].name) != change.layer) continue;
+      source.layers = Changed(before, *rules, listed, i, change);
+    }
+  }
   return Remade(model, std::move(source));
 }
 

@@ -23,6 +23,11 @@ EditedModel WithRuleText(const Model& model, const SetRuleText& edit);
 /// The model with these edits in the place of all that its layers had. errors, cost  as above.
 EditedModel WithLayerEdits(const Model& model, const EditLayers& edit);
 
+/// The model with one of its layers changed, and the others as they are. The topmost stays where it
+/// is when it is moved up, the undermost when down.
+/// errors  kUnknownName  no rule has such a layer;  the others as above. cost  as above.
+EditedModel WithLayerChange(const Model& model, const ChangeLayer& change);
+
 /// The model with other numbers of one of the elements that its rules place by numbers, where they
 /// stand in the text; nothing else of it changes.
 /// errors  kUnknownName  the rules place none of this name;  the others as above. cost  as above.

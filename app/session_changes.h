@@ -19,6 +19,7 @@ Result<SessionState> Do(const SetLot& command, SessionState state, const Session
 Result<SessionState> Do(const Rewrite& command, SessionState state, const SessionOptions&);
 Result<SessionState> Do(const SetRuleText& command, SessionState state, const SessionOptions&);
 Result<SessionState> Do(const EditLayers& command, SessionState state, const SessionOptions&);
+Result<SessionState> Do(const ChangeLayer& command, SessionState state, const SessionOptions&);
 Result<SessionState> Do(const PlaceElement& command, SessionState state, const SessionOptions&);
 Result<SessionState> Do(const Take& command, SessionState state, const SessionOptions&);
 Result<SessionState> Do(const Switch& command, SessionState state, const SessionOptions&);

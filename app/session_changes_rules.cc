@@ -82,6 +82,11 @@ Result<SessionState> Do(const EditLayers& command, SessionState state, const Ses
   return WithGround(std::move(state), std::move(model));
 }
 
+Result<SessionState> Do(const ChangeLayer& command, SessionState state, const SessionOptions&) {
+  auto model = WithLayerChange(state.model, command);
+  return WithGround(std::move(state), std::move(model));
+}
+
 Result<SessionState> Do(const PlaceElement& command, SessionState state, const SessionOptions&) {
   auto model = WithElementPlaced(state.model, command);
   return WithGround(std::move(state), std::move(model));

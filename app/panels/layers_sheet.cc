@@ -5,9 +5,9 @@
 namespace parti::app::panels {
 namespace {
 
-using grammar::LayerEdits;
 using grammar::LayeredRule;
 using grammar::ListedLayer;
+using How = ChangeLayer::How;
 
 constexpr float kSwitchWidth = 48;
 constexpr const char* kAll =
@@ -26,12 +26,7 @@ std::string MadeBy(const ListedLayer& layer) {
 class LayerList {
  public:
   LayerList(Ui* ui, Memory* memory, const grammar::RuleSet& rules, const Box& list, bool draw)
-      : ui_(ui),
-        memory_(memory),
-        rules_(rules),
-        edits_(ui->view().session->state->model.ground->source->layers),
-        rest_(list),
-        draw_(draw) {}
+      : ui_(ui), memory_(memory), rules_(rules), rest_(list), draw_(draw) {}
 
   /// How high all of it is, px.
   float Run(const ShownLayers& shown) {
@@ -60,13 +55,13 @@ class LayerList {
 
   void Layer(const LayeredRule& rule, size_t i) {
     const ListedLayer& layer = rule.layers[i];
-    const std::string name = fmt::format("{}.{}", rule.rule, layer.name);
+    const std::string name = grammar::LayerName(rule.rule, layer.name);
     const bool open = memory_->open_layer == name;
     Row(rule, i, name, open);
     if (!open) return;
-    Choice(rule.rule, layer, "", layer.symbol == layer.own);
+    Choice(name, layer, "", layer.symbol == layer.own);
     for (const std::string& symbol : SymbolsForLayers(rules_, rule.rule)) {
-      if (symbol != layer.own) Choice(rule.rule, layer, symbol, symbol == layer.symbol);
+      if (symbol != layer.own) Choice(name, layer, symbol, symbol == layer.symbol);
     }
   }
 
@@ -82,7 +77,7 @@ class LayerList {
     if (!draw_) return;
     const Box toggle = row.CutRight(ui_->U(kSwitchWidth));
     if (ui_->Switch("Show " + name, toggle, layer.on)) {
-      Send(Switched(edits_, rule.rule, layer.name, !layer.on));
+      Send({name, layer.on ? How::kOff : How::kOn});
     }
     MoveButtons(rule, i, name, row.CutRight(ui_->U(2 * kMeasures.target)));
     const Press press = ui_->Area(name, row);
@@ -105,35 +100,34 @@ class LayerList {
     const Box up = box.CutLeft(ui_->U(kMeasures.target));
     const bool first = i == 0, last = i + 1 == rule.layers.size();
     const ButtonLook higher{.name = "Move up " + name, .icon = Icon::kUp, .enabled = !first};
-    if (ui_->Button(higher, up).pressed) Send(Moved(edits_, rules_, rule, i, i - 1));
+    if (ui_->Button(higher, up).pressed) Send({name, How::kUp});
     const ButtonLook lower{.name = "Move down " + name, .icon = Icon::kDown, .enabled = !last};
-    if (ui_->Button(lower, box).pressed) Send(Moved(edits_, rules_, rule, i, i + 1));
+    if (ui_->Button(lower, box).pressed) Send({name, How::kDown});
   }
 
   /// A symbol that the layer may get; "": the one of the text.
-  void Choice(const std::string& rule, const ListedLayer& layer, const std::string& symbol,
+  void Choice(const std::string& name, const ListedLayer& layer, const std::string& symbol,
               bool chosen) {
     Box box = Take(ui_->U(kMeasures.target), ui_->U(2));
     if (!draw_) return;
     box.CutLeft(ui_->U(20));
     const std::string own =
         layer.own.empty() ? "As in the text" : fmt::format("As in the text: {}", layer.own);
-    const ButtonLook look{.name = fmt::format("{}.{} gets {}", rule, layer.name, symbol),
+    const ButtonLook look{.name = fmt::format("{} gets {}", name, symbol),
                           .icon = Icon::kNone,
                           .label = symbol.empty() ? own : symbol,
                           .chosen = chosen,
                           .align = 0};
     if (!ui_->Button(look, box).pressed || chosen) return;
-    Send(Given(edits_, rule, layer.name, symbol));
+    Send({name, How::kGets, symbol});
     memory_->open_layer.clear();
   }
 
-  void Send(LayerEdits edits) { ui_->SendTyped(EditLayers{std::move(edits)}); }
+  void Send(const ChangeLayer& change) { ui_->SendTyped(change); }
 
   Ui* ui_;
   Memory* memory_;
   const grammar::RuleSet& rules_;
-  const LayerEdits& edits_;
   Box rest_;
   bool draw_;
   float height_ = 0;

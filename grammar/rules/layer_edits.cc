@@ -22,15 +22,6 @@ std::string NameOf(const SuccessorRule& layer) {
   return name != nullptr ? *name : std::string();
 }
 
-Result<void> CheckLayer(const std::string& name, const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-  const auto meant = DidYouMean(name, known);
-  return Fail(ErrorCode::kUnknownName, fmt::format("there is no layer '{}'", name),
-              meant           ? fmt::format("did you mean '{}'?", *meant)
-              : known.empty() ? "the rules have no layers"
-                              : fmt::format("layers are {}", fmt::join(known, ", ")));
-}
-
 /// The edits that concern one rule.
 struct RuleEdits {
   std::vector<std::string> off;
@@ -130,7 +121,7 @@ Result<void> CheckEdits(const RuleSet& rules, const LayerEdits& edits) {
                 meant ? fmt::format("did you mean '{}'?", *meant) : "");
   }
   for (const auto& [rule, order] : edits.order) {
-    for (const std::string& layer : order) names.push_back(fmt::format("{}.{}", rule, layer));
+    for (const std::string& layer : order) names.push_back(LayerName(rule, layer));
   }
   for (const std::string& name : names) {
     if (const auto good = CheckLayer(name, known); !good) return good;
@@ -140,17 +131,30 @@ Result<void> CheckEdits(const RuleSet& rules, const LayerEdits& edits) {
 
 }  // namespace
 
+std::string LayerName(const std::string& rule, const std::string& layer) {
+  return fmt::format("{}.{}", rule, layer);
+}
+
 std::vector<std::string> LayerNames(const RuleSet& rules) {
   std::vector<std::string> names;
   for (const Rule& rule : rules.rules) {
     VisitStatements(rule.body, [&](const Statement& statement) {
       if (!LaysOut(statement)) return;
       for (const SuccessorRule& layer : statement.successors) {
-        names.push_back(fmt::format("{}.{}", rule.symbol, NameOf(layer)));
+        names.push_back(LayerName(rule.symbol, NameOf(layer)));
       }
     });
   }
   return names;
+}
+
+Result<void> CheckLayer(const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return {};
+  const auto meant = DidYouMean(name, known);
+  return Fail(ErrorCode::kUnknownName, fmt::format("there is no layer '{}'", name),
+              meant           ? fmt::format("did you mean '{}'?", *meant)
+              : known.empty() ? "the rules have no layers"
+                              : fmt::format("layers are {}", fmt::join(known, ", ")));
 }
 
 Result<RuleSet> WithLayers(RuleSet rules, const LayerEdits& edits) {

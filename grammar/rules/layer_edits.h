@@ -22,8 +22,15 @@ struct LayerEdits {
   bool operator==(const LayerEdits&) const = default;
 };
 
+/// "Facade.door".
+std::string LayerName(const std::string& rule, const std::string& layer);
+
 /// "Facade.floors", "Facade.door" … of all rules, in the order of the text.
 std::vector<std::string> LayerNames(const RuleSet& rules);
+
+/// `known` are the LayerNames of the rules.
+/// errors  kUnknownName  no rule has such a layer; the hint names one that is meant.
+Result<void> CheckLayer(const std::string& name, const std::vector<std::string>& known);
 
 /// The rules with their layers as the edits say, wherever a rule lays them out. layers() of which
 /// nothing is left is left out.

@@ -1,7 +1,5 @@
 #include "grammar/rules/layer_list.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
@@ -55,13 +53,9 @@ std::set<std::string> LeadingTo(const RuleSet& rules, const std::string& symbol)
   return leading;
 }
 
-std::string FullName(const std::string& rule, const std::string& layer) {
-  return fmt::format("{}.{}", rule, layer);
-}
-
 void Apply(const LayerEdits& edits, LayeredRule* listed) {
   for (ListedLayer& layer : listed->layers) {
-    const std::string full = FullName(listed->rule, layer.name);
+    const std::string full = LayerName(listed->rule, layer.name);
     layer.on = std::find(edits.off.begin(), edits.off.end(), full) == edits.off.end();
     for (const auto& [name, symbol] : edits.rules) {
       if (name == full) layer.symbol = symbol;
@@ -112,14 +106,14 @@ std::vector<std::string> SymbolsForLayers(const RuleSet& rules, const std::strin
 }
 
 LayerEdits Switched(LayerEdits edits, const std::string& rule, const std::string& layer, bool on) {
-  std::erase(edits.off, FullName(rule, layer));
-  if (!on) edits.off.push_back(FullName(rule, layer));
+  std::erase(edits.off, LayerName(rule, layer));
+  if (!on) edits.off.push_back(LayerName(rule, layer));
   return edits;
 }
 
 LayerEdits Given(LayerEdits edits, const std::string& rule, const std::string& layer,
                  const std::string& symbol) {
-  const std::string full = FullName(rule, layer);
+  const std::string full = LayerName(rule, layer);
   std::erase_if(edits.rules, [&](const auto& one) { return one.first == full; });
   if (!symbol.empty()) edits.rules.emplace_back(full, symbol);
   return edits;

@@ -22,6 +22,13 @@ TEST(CommandTest, EveryCommandReadsBackAsWritten) {
                            R"~(rule-text {"file":"a b.cga","text":"// ü\nLot --> extrude(9)\n"})~",
                            "layers {}",
                            R"(layers {"off":["F.a"],"order":[["F",["a"]]],"rules":[["F.a","B"]]})",
+                           "layer Facade.door off",
+                           "layer Facade.door on",
+                           "layer roof.Flat.a b up",
+                           "layer off down",
+                           "layer Facade.door gets Gate",
+                           "layer a gets as-written",
+                           "layer Facade.door as-written",
                            "place Door left 16.5 bottom 1.22",
                            "place A door width 0.1 height 2",
                            "place left left 3",
@@ -84,7 +91,8 @@ TEST(CommandTest, IncompleteCommandsShowAnExample) {
                            "erase",        "select",          "rule-text",
                            "rule-text {}", "rule-text 3",     "layers",
                            "place",        "place Door",      "place Door 4",
-                           "place left 4", "place Door left"}) {
+                           "place left 4", "place Door left", "layer",
+                           "layer off",    "layer F.a",       "layer gets A"}) {
     const auto command = ParseCommand(line);
     ASSERT_FALSE(command) << line;
     EXPECT_EQ(command.error().code, ErrorCode::kBadText) << line;

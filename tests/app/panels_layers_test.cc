@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
 
+#include <array>
+
 #include "app/panels/file_text.h"
 #include "app/rule_edits.h"
 #include "app/session.h"
@@ -26,11 +28,16 @@ class PanelsFiles : public ::testing::Test {
     if (!panels_.Shows("Rules/As text")) panels_.Tap("Menu/Rules");
   }
   /// The model after the one command that was sent, if it is one that can be done.
-  void Obey(const std::vector<PanelCommand>& sent) {
-    ASSERT_THAT(sent, SizeIs(1));
+  void Obey(const std::vector<PanelCommand>& sent) { Obey(std::array{sent}); }
+  /// After one command of each of several taps.
+  template <size_t kTaps>
+  void Obey(const std::array<std::vector<PanelCommand>, kTaps>& taps) {
     Session session(panels_.view.session->state->model, Camera());
-    const auto done = session.Execute(std::get<Command>(sent[0]));
-    ASSERT_TRUE(done) << FormatError(done.error());
+    for (const std::vector<PanelCommand>& sent : taps) {
+      ASSERT_THAT(sent, SizeIs(1));
+      const auto done = session.Execute(std::get<Command>(sent[0]));
+      ASSERT_TRUE(done) << FormatError(done.error());
+    }
     auto next = std::make_shared<SessionSnapshot>(*panels_.view.session);
     next->state = std::make_shared<const SessionState>(session.state());
     panels_.view.session = next;
@@ -173,6 +180,17 @@ TEST_F(PanelsLayers, AreGivenAnotherRuleAndTheirOwnAgain) {
   panels_.Tap("Rules/Facade.shop");
   Obey(panels_.Tap("Rules/Facade.shop gets "));
   EXPECT_EQ(Edits(), grammar::LayerEdits());
+}
+
+TEST_F(PanelsLayers, TapsWhileTheBuildingIsDerivedAddUp) {
+  panels_.Tap("Rules/Facade.shop");
+  Obey(std::array{panels_.Tap("Rules/Show Facade.floors"), panels_.Tap("Rules/Show Facade.sign"),
+                  panels_.Tap("Rules/Move up Facade.floors"),
+                  panels_.Tap("Rules/Move up Facade.floors"),
+                  panels_.Tap("Rules/Facade.shop gets Door")});
+  EXPECT_THAT(Edits().off, ElementsAre("Facade.floors", "Facade.sign"));
+  EXPECT_THAT(Edits().order, ElementsAre(Pair("Facade", ElementsAre("shop", "sign", "floors"))));
+  EXPECT_THAT(Edits().rules, ElementsAre(Pair("Facade.shop", "Door")));
 }
 
 TEST_F(PanelsLayers, OfTheFaceInHandAreShownAlone) {

@@ -129,6 +129,35 @@ TEST_F(RuleEditsTest, LayersThatThereAreNotAreRefused) {
   EXPECT_THAT(Refused(R"(layers {"rules":[["Facade.door","Gat"]]})").hint, HasSubstr("'Gate'"));
 }
 
+TEST_F(RuleEditsTest, ALayerIsChangedAloneAndOfTheNewestText) {
+  Do("layer Facade.door gets Gate");
+  Do("layer Facade.floors off");
+  Do("layer Facade.door down");
+  Do("layer Facade.door down");
+  EXPECT_EQ(TextOf(Source().layers),
+            R"({"off":["Facade.floors"],"order":[["Facade",["door","floors"]]],)"
+            R"("rules":[["Facade.door","Gate"]]})");
+  Do(Typed(HouseWith(R"(layers("floors", "door") { Floors | Door })",
+                     R"(layers("floors", "door", "sign") { Floors | Door | Leaf })")));
+  Do("layer Facade.door up");
+  Do("layer Facade.door up");
+  Do("layer Facade.door up");
+  Do("layer Facade.door as-written");
+  Do("layer Facade.floors on");
+  EXPECT_EQ(TextOf(Source().layers), R"({"order":[["Facade",["floors","sign","door"]]]})");
+  EXPECT_EQ(Count(".Gate"), 0u);
+  Do("undo");
+  EXPECT_EQ(Count(".Floor"), 0u);
+}
+
+TEST_F(RuleEditsTest, ALayerThatIsNotThereIsNotChanged) {
+  EXPECT_THAT(Refused("layer Facade.dor off").hint, HasSubstr("'Facade.door'"));
+  EXPECT_THAT(Refused("layer Facade.dor up").hint, HasSubstr("'Facade.door'"));
+  EXPECT_THAT(Refused("layer Facade.door gets Gat").hint, HasSubstr("'Gate'"));
+  session = Session();
+  EXPECT_EQ(Refused("layer Facade.door off").code, ErrorCode::kNothingMade);
+}
+
 TEST_F(RuleEditsTest, TheFaceInHandStaysSoAsFarAsItIsThere) {
   const auto shape = [&](std::string_view query) {
     const auto& tree = state().model.derived.at(0)->tree;
