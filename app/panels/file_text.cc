@@ -87,7 +87,31 @@ void AddFailure(const SessionSnapshot& session, const TypedFiles& typed, FileLin
   if (failed->error.place->file == file->file) AddNote(failed->error, &file->lines);
 }
 
+/// Whether each of `files` is among `all`, with the same text.
+bool AreIn(const std::vector<grammar::RuleFile>& all, const std::vector<grammar::RuleFile>& files) {
+  return std::all_of(files.begin(), files.end(), [&](const grammar::RuleFile& file) {
+    return std::any_of(all.begin(), all.end(), [&](const grammar::RuleFile& one) {
+      return one.name == file.name && one.text == file.text;
+    });
+  });
+}
+
 }  // namespace
+
+bool TypedFiles::Waits(const Model& model) const {
+  const auto& now = model.ground->source;
+  if (files.empty() || over == now) return !files.empty();
+  return over && now && over->files.size() == now->files.size() && AreIn(now->files, over->files) &&
+         !AreIn(now->files, files);
+}
+
+void TypedFiles::Settle(const Model& model) {
+  if (!Waits(model)) {
+    *this = {};
+  } else {
+    over = model.ground->source;
+  }
+}
 
 std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles& typed) {
   const Model& model = session.state->model;

@@ -19,12 +19,12 @@ struct TypedFiles {
   std::shared_ptr<const RuleSource> over;  ///< what they were typed over
   uint64_t failed_before = 0;              ///< FailedRequest::number when the last was typed
 
-  /// Whether they are to be shown for this model: its files are still those typed over.
-  bool Waits(const Model& model) const { return !files.empty() && over == model.ground->source; }
+  /// Whether they are to be shown for this model: the texts of its files are still those typed
+  /// over, whatever has become of its layers.
+  bool Waits(const Model& model) const;
   /// Forgets them where other texts are in force: undo does not bring them back.
-  void Settle(const Model& model) {
-    if (!Waits(model)) *this = {};
-  }
+  /// cost  compares texts where the model has other files or layers than at the last call.
+  void Settle(const Model& model);
 };
 
 /// The text of one file.

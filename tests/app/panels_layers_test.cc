@@ -193,6 +193,23 @@ TEST_F(PanelsLayers, TapsWhileTheBuildingIsDerivedAddUp) {
   EXPECT_THAT(Edits().rules, ElementsAre(Pair("Facade.shop", "Door")));
 }
 
+TEST_F(PanelsLayers, ATextThatWaitsForThemIsNotLost) {
+  Obey(panels_.Tap("Rules/Show Facade.sign"));
+  panels_.Tap("Rules/As text");
+  const std::string line = R"~(Facade --> layers("floors", "shop", "board"))~";
+  EXPECT_THAT(panels_.TypeOver("Rules/house.cga 8", line), IsEmpty());
+  EXPECT_TRUE(panels_.Says("There is no layer 'Facade.sign'")) << "that is off";
+  panels_.Tap("Rules/Layers");
+  Obey(panels_.Tap("Rules/Show Facade.sign"));
+  EXPECT_EQ(Edits(), grammar::LayerEdits());
+  panels_.Tap("Rules/As text");
+  EXPECT_TRUE(panels_.Says("Not in force yet"));
+  EXPECT_TRUE(panels_.Says("\"board\""));
+  Obey(panels_.TypeOver("Rules/house.cga 8", line + "  // was sign"));
+  EXPECT_THAT(Source().files[0].text, HasSubstr(line));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
+}
+
 TEST_F(PanelsLayers, OfTheFaceInHandAreShownAlone) {
   EXPECT_TRUE(panels_.Says("of all rules"));
   Show(LayeredHouse(".Board"));
