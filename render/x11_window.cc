@@ -76,13 +76,14 @@ double ScaleIn(const std::string& resources) {
 }
 
 Result<std::unique_ptr<X11Window>> X11Window::Create(std::shared_ptr<X11Connection> connection,
-                                                     const glm::ivec2& size_px,
+                                                     const glm::ivec2& size,
                                                      const std::string& title) {
   Display* display = connection->get();
   const int screen = DefaultScreen(display);
   const glm::ivec2 most(DisplayWidth(display, screen) * kMostOfScreen,
                         DisplayHeight(display, screen) * kMostOfScreen);
-  const glm::ivec2 size = glm::max(glm::min(size_px, most), glm::ivec2(1));
+  const glm::ivec2 wanted_px(glm::dvec2(size) * ScaleIn(ResourcesOf(display)));
+  const glm::ivec2 size_px = glm::max(glm::min(wanted_px, most), glm::ivec2(1));
   Visual* visual = DefaultVisual(display, screen);
   auto context = EglWindow::Create(
       {EGL_PLATFORM_X11_EXT, std::shared_ptr<void>(connection, display),
@@ -94,11 +95,11 @@ Result<std::unique_ptr<X11Window>> X11Window::Create(std::shared_ptr<X11Connecti
   attributes.event_mask =
       StructureNotifyMask | ExposureMask | FocusChangeMask | VisibilityChangeMask;
   const Window id =
-      XCreateWindow(display, DefaultRootWindow(display), 0, 0, static_cast<unsigned>(size.x),
-                    static_cast<unsigned>(size.y), 0, DefaultDepth(display, screen), InputOutput,
+      XCreateWindow(display, DefaultRootWindow(display), 0, 0, static_cast<unsigned>(size_px.x),
+                    static_cast<unsigned>(size_px.y), 0, DefaultDepth(display, screen), InputOutput,
                     visual, CWBackPixmap | CWBitGravity | CWEventMask, &attributes);
   std::unique_ptr<X11Window> window(
-      new X11Window(std::move(connection), std::move(*context), id, size));
+      new X11Window(std::move(connection), std::move(*context), id, size_px));
   window->TellDesktop();
   window->SetTitle(title);
   Window native = id;

@@ -26,10 +26,11 @@ struct X11WindowNews {
 /// Destroyed before its connection; sizes in pixels, at least 1 x 1.
 class X11Window {
  public:
-  /// Shows a window of that size, or of most of the screen where that is smaller.
+  /// Shows a window of that size, in pixels at scale 1 (x, y >= 1), or of most of the screen where
+  /// that is smaller.
   /// errors  kGraphics  as EglWindow;  kDevice  the server is gone.
   static Result<std::unique_ptr<X11Window>> Create(std::shared_ptr<X11Connection> connection,
-                                                   const glm::ivec2& size_px,
+                                                   const glm::ivec2& size,
                                                    const std::string& title);
   ~X11Window();
   X11Window(const X11Window&) = delete;

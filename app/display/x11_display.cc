@@ -117,7 +117,7 @@ Result<DisplayNews> X11Display::Dispatch() {
 Result<std::unique_ptr<Display>> OpenX11Display(const X11Spec& spec) {
   auto connection = render::X11Connection::Open(spec.server);
   if (!connection) return Fail(connection);
-  auto window = render::X11Window::Create(*connection, spec.size_px, spec.title);
+  auto window = render::X11Window::Create(*connection, spec.size, spec.title);
   if (!window) return Fail(window);
   auto source = input::X11Source::Create((*connection)->get(), (*window)->id(),
                                          kPxPerMm * (*window)->scale());

@@ -11,9 +11,10 @@ namespace parti::app {
 
 /// As the window should come up.
 struct X11Spec {
-  std::string server;              ///< as in DISPLAY; empty: DISPLAY itself
-  glm::ivec2 size_px{1600, 1000};  ///< less where the screen is smaller; the user may change it
-  std::string title = "Parti";     ///< UTF-8
+  std::string server;  ///< as in DISPLAY; empty: DISPLAY itself
+  /// In pixels at scale 1; less where the screen is smaller; the user may change it.
+  glm::ivec2 size{1600, 1000};
+  std::string title = "Parti";  ///< UTF-8
   /// Frames are shown without waiting for the screen, so that ink is as late as it must be, but
   /// no oftener than this; half the time between two pictures of a usual screen. [s]
   double least_frame_s = 1.0 / 120;

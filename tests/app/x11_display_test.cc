@@ -64,7 +64,7 @@ class X11Displays : public testing::Test {
   void Open() {
     X11Spec spec;
     spec.server = server_->name();
-    spec.size_px = {400, 300};
+    spec.size = {400, 300};
     spec.title = "Hof – Parti";
     auto opened = OpenX11Display(spec);
     ASSERT_TRUE(opened) << FormatError(opened.error());
@@ -285,6 +285,18 @@ TEST_F(X11Displays, TheDesktopsScaleIsFollowed) {
   look_->SetRootText("RESOURCE_MANAGER", "Xcursor.size:\t48\nXft.dpi:\t192\n");
   ASSERT_TRUE(Until([this] { return news_.resized; }));
   EXPECT_EQ(display_->scale(), 2);
+}
+
+TEST_F(X11Displays, AWindowComesUpAsLargeAsTheDesktopWantsThings) {
+  EXPECT_EQ(display_->size_px(), glm::ivec2(400, 300));
+  display_.reset();
+  look_->SetRootText("RESOURCE_MANAGER", "Xft.dpi:\t192\n");
+  Open();
+  EXPECT_EQ(display_->size_px(), glm::ivec2(800, 600));
+  display_.reset();
+  look_->SetRootText("RESOURCE_MANAGER", "Xft.dpi:\t288\n");
+  Open();
+  EXPECT_EQ(display_->size_px(), glm::ivec2(900, 630)) << "most of the screen";
 }
 
 TEST_F(X11Displays, FramesArePacedAndTheLoopIsWoken) {
