@@ -11,7 +11,8 @@ Result<Meaning> MeaningOf(const SessionState& state, size_t number) {
   const Sketch& sketch = state.sketch;
   if (number >= sketch.suggestions.size() || !sketch.target) {
     return Fail(ErrorCode::kUnknownName, fmt::format("there is no suggestion {}", number + 1),
-                fmt::format("this sketch has {} suggestions", sketch.suggestions.size()));
+                fmt::format("this sketch has {} suggestion{}", sketch.suggestions.size(),
+                            sketch.suggestions.size() == 1 ? "" : "s"));
   }
   const grammar::Item& item = ShapeAt(state.model, *sketch.target).item;
   const grammar::Action& action = sketch.suggestions[number].action;

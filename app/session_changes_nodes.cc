@@ -102,7 +102,8 @@ Result<SessionState> Do(const Pick& command, SessionState state, const SessionOp
                 command.operation.empty() ? fmt::format("there is no suggestion {}", command.number)
                                           : fmt::format("there is no suggestion {} {}",
                                                         command.number, command.operation),
-                fmt::format("this sketch has {} suggestions", sketch.suggestions.size()));
+                fmt::format("this sketch has {} suggestion{}", sketch.suggestions.size(),
+                            sketch.suggestions.size() == 1 ? "" : "s"));
   }
   const grammar::Action& action = sketch.suggestions[chosen].action;
   const grammar::Derivation& derivation = *state.model.derived[sketch.target->lot];

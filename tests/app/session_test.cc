@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session_commands.h"
 #include "grammar/operation.h"
 
 namespace parti::app {
@@ -143,6 +144,11 @@ TEST_F(SessionTest, ASuggestionThatIsNotThereIsRefused) {
   EXPECT_EQ(Refused("pick 1").code, ErrorCode::kUnknownName);
   Draw({20, 0, 14}, {20, 19, 14});
   EXPECT_THAT(Refused("pick 99").hint, HasSubstr("suggestion"));
+  SessionState one = session_.state();
+  one.sketch.suggestions.resize(1);
+  const auto refused = After(one, *ParseCommand("pick 2"), {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().hint, "this sketch has 1 suggestion");
   EXPECT_EQ(Refused("pick 1 taper").code, ErrorCode::kUnknownName);
 }
 
