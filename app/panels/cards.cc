@@ -61,15 +61,15 @@ Box StandingCards::Stand(const CardNeeds& now) {
 
 Box CardsBeside(const CardNeeds& needs) {
   const Box& stroke = needs.stroke;
-  const std::optional<Box> hand =
-      needs.pen_px ? std::optional(HandAt(*needs.pen_px, needs.left_handed, needs.scale))
-                   : std::nullopt;
+  const auto is_under_hand = [&](const Box& place) {
+    return needs.pen_px && place.Overlaps(HandAt(*needs.pen_px, needs.left_handed, needs.scale));
+  };
   std::array<Box, 8> places = PlacesOf(needs);
   const Box* best = nullptr;
   std::ptrdiff_t least = 0;
   for (Box& place : places) {
     place = Within(place, needs.room);
-    if (place.Overlaps(stroke) || (hand && place.Overlaps(*hand))) continue;
+    if (place.Overlaps(stroke) || is_under_hand(place)) continue;
     const std::ptrdiff_t covered = Covered(place, needs.clear_of);
     if (best && covered >= least) continue;
     best = &place;
