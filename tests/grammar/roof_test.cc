@@ -36,6 +36,40 @@ std::vector<Item> Faces(const Item& roof, Kind kind) {
   return faces;
 }
 
+// CGAL alone never ends on this one, on any grid (docs/roofs.md, 4).
+TEST(Roofs, EndWhereMuchMeetsAtOnce) {
+  const Polygon court{{{18, 0},
+                       {18, 3},
+                       {15, 3},
+                       {15, 1},
+                       {12, 1},
+                       {12, 3},
+                       {7, 3},
+                       {7, 8},
+                       {5, 8},
+                       {5, 6},
+                       {3, 6},
+                       {3, 1},
+                       {0, 1},
+                       {0, 0}},
+                      {{{11, 1}, {8, 1}, {8, 2}, {11, 2}}}};
+  for (const double scale : {1.0, 0.3, 2.5}) {
+    Polygon polygon = court;
+    for (Vec2& p : polygon.outer) p *= scale;
+    for (Vec2& p : polygon.holes[0]) p *= scale;
+    const auto hip = HipRoof(polygon, {false, 35}, 0);
+    ASSERT_TRUE(hip.has_value()) << scale;
+    EXPECT_EQ(WrongWithRoof(polygon, *hip), "") << scale;
+    const auto gable = GableRoof(polygon, {false, 40}, {}, Vec2(0, -1));
+    ASSERT_TRUE(gable.has_value()) << scale;
+    EXPECT_EQ(WrongWithRoof(polygon, *gable), "") << scale;
+    const double inward_m = 0.4 * scale;
+    const auto inset = Offset(polygon, inward_m);
+    ASSERT_TRUE(inset.has_value()) << scale;
+    EXPECT_EQ(WrongWithInset(polygon, *inset, inward_m), "") << scale;
+  }
+}
+
 TEST(RoofHip, OverARectangleHasFourPlanesAndABottom) {
   const Item lot = Lot("0,0 20,0 20,12 0,12");
   const Item roof = Over(lot, Hip(45));
