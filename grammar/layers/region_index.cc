@@ -1,6 +1,8 @@
 #include "grammar/layers/region_index.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace parti::grammar {
 namespace {
@@ -27,6 +29,7 @@ RegionIndex::Cells RegionIndex::CellsOf(const Box2& box) const {
 }
 
 void RegionIndex::Add(uint32_t number, const Box2& box) {
+  if (number >= found_in_.size()) found_in_.resize(number + 1, 0);
   const Cells cells = CellsOf(box);
   for (uint32_t row = cells.bottom; row <= cells.top; ++row) {
     for (uint32_t column = cells.left; column <= cells.right; ++column) {
@@ -37,15 +40,16 @@ void RegionIndex::Add(uint32_t number, const Box2& box) {
 
 const std::vector<uint32_t>& RegionIndex::Near(const Box2& box) {
   near_.clear();
+  ++search_;
   const Cells cells = CellsOf(box);
   for (uint32_t row = cells.bottom; row <= cells.top; ++row) {
     for (uint32_t column = cells.left; column <= cells.right; ++column) {
-      const std::vector<uint32_t>& cell = cells_[row * side_ + column];
-      near_.insert(near_.end(), cell.begin(), cell.end());
+      for (const uint32_t number : cells_[row * side_ + column]) {
+        if (std::exchange(found_in_[number], search_) != search_) near_.push_back(number);
+      }
     }
   }
   std::sort(near_.begin(), near_.end());
-  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   return near_;
 }
 

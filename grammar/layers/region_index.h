@@ -31,6 +31,9 @@ class RegionIndex {
   uint32_t side_;  ///< cells along each axis
   std::vector<std::vector<uint32_t>> cells_;
   std::vector<uint32_t> near_;
+  std::vector<uint64_t> found_in_;  ///< the last search that found a number: long rectangles lie
+                                    ///< in many cells together
+  uint64_t search_ = 0;
 };
 
 }  // namespace parti::grammar

@@ -218,7 +218,7 @@ TEST_F(PlacingTest, TwoTapsAtOnceCountAsOne) {
 }
 
 TEST_F(PlacingTest, ButtonsAndDragsCountWhileWhatWasTypedIsDerived) {
-  const std::string slow = "Wall --> split(x) { ~0.01: Slice }*\n";
+  const std::string slow = "Wall --> split(x) { ~0.005: Slice }*\n";
   Tap(kDoor);
   const uint64_t before = application_->snapshot().executed;
   application_->Do(PanelCommand(Command(SetRuleText{"house.cga", kPlacedRules + slow})));
