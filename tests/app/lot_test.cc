@@ -235,7 +235,7 @@ TEST(Lot, FeaturesOfSequencesAreReadLineByLine) {
   const std::string square =
       R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9]]]}})";
   for (const std::string& record : {std::string(), std::string("\x1e")}) {
-    const auto lots = LotsIn(record + square + "\n\n" + record + square + "\n");
+    const auto lots = LotsIn(fmt::format("{0}{1}\n\n{0}{1}\n", record, square));
     ASSERT_TRUE(lots) << FormatError(lots.error());
     EXPECT_EQ(lots->size(), 2u);
   }

@@ -217,7 +217,7 @@ TEST_P(CanvasOn, PartsOfPanelsFadeAndOnlyTheirPixelsAreDrawn) {
   EXPECT_EQ(target_->Draw().area(), 40 * 60);
   Image image = Drawn();
   EXPECT_EQ(PixelAt(image, 80, 50).r, 0);
-  EXPECT_NEAR(PixelAt(image, 120, 50).r, paper / 2, 2);
+  EXPECT_NEAR(PixelAt(image, 120, 50).r, paper * 0.5, 2);
   canvas().SetPanelOpacities(std::array{1.0f, 0.5f});
   EXPECT_FALSE(canvas().NeedsDraw()) << "as it is already";
   canvas().SetPanelOpacities(std::array{0.0f});
