@@ -15,6 +15,8 @@ size_t MostTriangles(size_t corners, size_t holes) {
   return corners < 3 ? 0 : corners + 2 * holes - 2;
 }
 
+bool IsRectangle(const grammar::Item& item) { return grammar::IsFlat(item.type) && !item.polygon; }
+
 size_t MostTriangles(const grammar::Item& item) {
   constexpr size_t kOfABox = 12;
   if (!item.mesh && !item.polygon) return kOfABox;
@@ -75,6 +77,24 @@ ModelParts PartsOf(const ModelMesh& mesh) {
     }
   };
   return parts;
+}
+
+size_t TriangleCount(std::span<const grammar::ShapeTree* const> trees) {
+  size_t triangles = 0;
+  const auto add = [&triangles](const ModelPart& part) {
+    triangles += part.corners.size() / 3;
+    return true;
+  };
+  for (const grammar::ShapeTree* tree : trees) {
+    for (const grammar::ShapeIndex i : tree->Leaves()) {
+      if (IsRectangle((*tree)[i].item)) {
+        triangles += 2;
+      } else {
+        VisitLeaf(*tree, i, add);
+      }
+    }
+  }
+  return triangles;
 }
 
 ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees) {

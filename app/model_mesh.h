@@ -44,6 +44,9 @@ struct ModelParts {
 ModelParts PartsOf(std::vector<const grammar::ShapeTree*> trees);
 ModelParts PartsOf(const ModelMesh& mesh);  ///< the mesh must outlive it
 
+/// Of ModelMeshFrom, without making it; a rectangle is two without being looked at.
+size_t TriangleCount(std::span<const grammar::ShapeTree* const> trees);
+
 /// The leaves of the trees of all lots.
 ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees);
 ModelMesh ModelMeshFrom(const grammar::ShapeTree& tree);

@@ -72,20 +72,16 @@ struct Times {
 int PrintStats(const OpenedModel& opened, const Times& times) {
   const Model& model = opened.model;
   const uint64_t peak_bytes = PeakBytes();  // before triangles are made to be counted
-  size_t shapes = 0, terminals = 0, triangles = 0;
+  size_t shapes = 0, terminals = 0;
   std::vector<const grammar::ShapeTree*> trees;
   for (const auto& derivation : model.derived) {
     trees.push_back(&derivation->tree);
     shapes += derivation->tree.size();
     terminals += derivation->tree.Leaves().size();
   }
-  PartsOf(trees).visit([&triangles](const ModelPart& part) {
-    triangles += part.corners.size() / 3;
-    return true;
-  });
   nlohmann::ordered_json stats{{"shapes", shapes},
                                {"terminals", terminals},
-                               {"triangles", triangles},
+                               {"triangles", TriangleCount(trees)},
                                {"derive_ms", 1e3 * times.derive_s},
                                {"normalise_ms", 1e3 * times.normalise_s},
                                {"export_ms", 1e3 * times.export_s},

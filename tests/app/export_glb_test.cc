@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -249,6 +250,7 @@ TEST(ExportGlb, PartsOfTreesAreThoseOfTheirMeshAndNoMoreThanWasSaid) {
     ASSERT_TRUE(bytes) << FormatError(bytes.error());
     EXPECT_EQ(*bytes, GltfBytes(mesh, GltfForm::kBinary).value_or(""));
     EXPECT_GE(parts.most_triangles, PartsOf(mesh).most_triangles);
+    EXPECT_EQ(TriangleCount(std::array{&tree}), PartsOf(mesh).most_triangles);
   }
 }
 
