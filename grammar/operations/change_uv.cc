@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 #include "grammar/texture_extent.h"
 
 namespace parti::grammar {
@@ -103,15 +103,6 @@ Products ApplyDelete(const Item& item, const Action& action) {
   return IsColor(action) ? Painted(item, std::nullopt) : Same(item);
 }
 
-Parameter UvSet() {
-  return {.name = "uvSet",
-          .kind = ParameterKind::kFactor,
-          .low = 0,
-          .high = 9,
-          .default_value = 0.0,
-          .doc = "CGA's texture layer: 0, the color; others change nothing"};
-}
-
 Parameter Number(std::string_view name, double value, std::string_view doc) {
   return {.name = name,
           .kind = ParameterKind::kFactor,
@@ -134,20 +125,16 @@ Parameter TileSize(std::string_view name) {
 constexpr std::array<std::string_view, 3> kWays = {kBoth, kU, kV};
 constexpr std::array<std::string_view, 2> kFaces = {"collectiveAllFaces", "separatePerFace"};
 
-const std::array<Parameter, 3> kScaleParameters = {UvSet(), Number("uFactor", 1, "for u"),
+const std::array<Parameter, 3> kScaleParameters = {UvSetParameter(), Number("uFactor", 1, "for u"),
                                                    Number("vFactor", 1, "for v")};
-const std::array<Parameter, 3> kShiftParameters = {UvSet(), Number("u", 0, "to the right"),
+const std::array<Parameter, 3> kShiftParameters = {UvSetParameter(), Number("u", 0, "to the right"),
                                                    Number("v", 0, "up")};
 const std::array<Parameter, 2> kTurnParameters = {
-    UvSet(), Parameter{.name = "angle",
-                       .kind = ParameterKind::kAngle,
-                       .low = -3600,
-                       .high = 3600,
-                       .default_value = 0.0,
-                       .doc = "of the coordinates, about (0, 0)"}};
-const std::array<Parameter, 3> kTileParameters = {UvSet(), TileSize("width"), TileSize("height")};
+    UvSetParameter(), TurnParameter("angle", "of the coordinates, about (0, 0)")};
+const std::array<Parameter, 3> kTileParameters = {UvSetParameter(), TileSize("width"),
+                                                  TileSize("height")};
 const std::array<Parameter, 3> kNormalizeParameters = {
-    UvSet(),
+    UvSetParameter(),
     Parameter{.name = "coordinates",
               .kind = ParameterKind::kWord,
               .default_value = std::string(kBoth),
@@ -159,7 +146,7 @@ const std::array<Parameter, 3> kNormalizeParameters = {
               .required = false,
               .doc = "all of a shape's together, which is all that is known here",
               .words = kFaces}};
-const std::array<Parameter, 1> kDeleteParameters = {UvSet()};
+const std::array<Parameter, 1> kDeleteParameters = {UvSetParameter()};
 
 constexpr Operation Row(std::string_view name, std::string_view word, std::string_view doc,
                         std::span<const Parameter> parameters,

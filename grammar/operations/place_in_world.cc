@@ -3,7 +3,7 @@
 #include <array>
 
 #include "grammar/item_place.h"
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 #include "grammar/reframe.h"
 
 namespace parti::grammar {
@@ -84,20 +84,14 @@ Parameter Along(std::string_view name) {
           .doc = "along this axis"};
 }
 
-Parameter About(std::string_view name) {
-  return {.name = name,
-          .kind = ParameterKind::kAngle,
-          .low = -3600,
-          .high = 3600,
-          .default_value = 0.0,
-          .doc = "around this axis; x first, then y, then z"};
-}
+constexpr std::string_view kAboutAxis = "around this axis; x first, then y, then z";
 
 const std::array<Parameter, 5> kMoveParameters = {Mode("rel: by so much; abs: to this place"),
                                                   System(), Along("x"), Along("y"), Along("z")};
 const std::array<Parameter, 5> kTurnParameters = {
-    Mode("rel: by so much; abs: from the world's axes"), System(), About("xAngle"), About("yAngle"),
-    About("zAngle")};
+    Mode("rel: by so much; abs: from the world's axes"), System(),
+    TurnParameter("xAngle", kAboutAxis), TurnParameter("yAngle", kAboutAxis),
+    TurnParameter("zAngle", kAboutAxis)};
 
 }  // namespace
 

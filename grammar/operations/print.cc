@@ -2,14 +2,10 @@
 // Keeping and showing it is rules/rule_notes.h's: the item stays as it is.
 #include <array>
 
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 
 namespace parti::grammar {
 namespace {
-
-Result<std::vector<Product>> ApplyPrint(const Item& item, const Action&) {
-  return std::vector<Product>{{item, -1}};
-}
 
 const std::array<Parameter, 1> kParameters = {{{
     .name = "value",
@@ -33,7 +29,7 @@ constinit const Operation kPrint = {
     .in_place = true,
     .sampled = false,
     .notes = true,
-    .apply = ApplyPrint,
+    .apply = Unchanged,
 };
 
 }  // namespace parti::grammar

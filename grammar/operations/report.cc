@@ -2,14 +2,10 @@
 // Keeping it is rules/rule_notes.h's, adding up rules/report_table.h's: the item stays as it is.
 #include <array>
 
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 
 namespace parti::grammar {
 namespace {
-
-Result<std::vector<Product>> ApplyReport(const Item& item, const Action&) {
-  return std::vector<Product>{{item, -1}};
-}
 
 const std::array<Parameter, 2> kParameters = {{
     {
@@ -41,7 +37,7 @@ constinit const Operation kReport = {
     .in_place = true,
     .sampled = false,
     .notes = true,
-    .apply = ApplyReport,
+    .apply = Unchanged,
 };
 
 }  // namespace parti::grammar

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "grammar/item_place.h"
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 #include "grammar/reframe.h"
 
 namespace parti::grammar {
@@ -25,15 +25,6 @@ Result<std::vector<Product>> ApplyRotate(const Item& item, const Action& action)
 
 constexpr std::array<std::string_view, 2> kCenters = {kAboutOrigin, kAboutCenter};
 
-Parameter About(std::string_view name, std::string_view doc) {
-  return {.name = name,
-          .kind = ParameterKind::kAngle,
-          .low = -3600,
-          .high = 3600,
-          .default_value = 0.0,
-          .doc = doc};
-}
-
 const std::array<Parameter, 4> kParameters = {
     Parameter{.name = "center",
               .kind = ParameterKind::kWord,
@@ -41,9 +32,9 @@ const std::array<Parameter, 4> kParameters = {
               .required = false,
               .doc = "what stays where it is; may be left out",
               .words = kCenters},
-    About("xAngle", "around the scope's x, first"),
-    About("yAngle", "around its y, as it was before; then"),
-    About("zAngle", "around its z, as it was before")};
+    TurnParameter("xAngle", "around the scope's x, first"),
+    TurnParameter("yAngle", "around its y, as it was before; then"),
+    TurnParameter("zAngle", "around its z, as it was before")};
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "grammar/item_place.h"
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 #include "grammar/reframe.h"
 
 namespace parti::grammar {
@@ -15,19 +15,10 @@ Result<std::vector<Product>> ApplyRotateScope(const Item& item, const Action& ac
   return std::vector<Product>{{Reframed(item, TurnedAxes(NamedScope(item), angles_deg)), -1}};
 }
 
-Parameter About(std::string_view name, std::string_view doc) {
-  return {.name = name,
-          .kind = ParameterKind::kAngle,
-          .low = -3600,
-          .high = 3600,
-          .default_value = 0.0,
-          .doc = doc};
-}
-
 const std::array<Parameter, 3> kParameters = {
-    About("xAngle", "around the scope's x, first"),
-    About("yAngle", "around its y, as it was before; then"),
-    About("zAngle", "around its z, as it was before")};
+    TurnParameter("xAngle", "around the scope's x, first"),
+    TurnParameter("yAngle", "around its y, as it was before; then"),
+    TurnParameter("zAngle", "around its z, as it was before")};
 
 }  // namespace
 

@@ -1,14 +1,10 @@
 // symbol("Name"): gives a shape another symbol. The tree keeps it; the item stays as it is.
 #include <array>
 
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 
 namespace parti::grammar {
 namespace {
-
-Result<std::vector<Product>> ApplySymbol(const Item& item, const Action&) {
-  return std::vector<Product>{{item, -1}};
-}
 
 const std::array<Parameter, 1> kParameters = {{{
     .name = "symbol",
@@ -28,7 +24,7 @@ constinit const Operation kSymbol = {
     .takes = kAllItemTypes,
     .gives = kAllItemTypes,
     .in_place = true,
-    .apply = ApplySymbol,
+    .apply = Unchanged,
 };
 
 }  // namespace parti::grammar

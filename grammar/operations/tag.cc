@@ -1,14 +1,10 @@
 // tag("name"): marks a shape for queries. The tree keeps the tag; the item stays as it is.
 #include <array>
 
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 
 namespace parti::grammar {
 namespace {
-
-Result<std::vector<Product>> ApplyTag(const Item& item, const Action&) {
-  return std::vector<Product>{{item, -1}};
-}
 
 const std::array<Parameter, 1> kParameters = {{{
     .name = "tag",
@@ -28,7 +24,7 @@ constinit const Operation kTag = {
     .takes = kAllItemTypes,
     .gives = kAllItemTypes,
     .in_place = true,
-    .apply = ApplyTag,
+    .apply = Unchanged,
 };
 
 }  // namespace parti::grammar

@@ -9,7 +9,7 @@
 
 #include "grammar/asset.h"
 #include "grammar/item_place.h"
-#include "grammar/operations/rows.h"
+#include "grammar/operations/row_parts.h"
 #include "grammar/texture_extent.h"
 
 namespace parti::grammar {
@@ -118,15 +118,6 @@ constexpr std::array<std::string_view, 12> kImageAxes = {
     "scope.xy", "scope.xz", "scope.yx", "scope.yz", "scope.zx", "scope.zy",
     "world.xy", "world.xz", "world.yx", "world.yz", "world.zx", "world.zy"};
 
-Parameter UvSet() {
-  return {.name = "uvSet",
-          .kind = ParameterKind::kFactor,
-          .low = 0,
-          .high = 9,
-          .default_value = 0.0,
-          .doc = "CGA's texture layer: 0, the color; others change nothing"};
-}
-
 Parameter ImageSize(std::string_view name) {
   return {
       .name = name,
@@ -157,7 +148,7 @@ const std::array<Parameter, 1> kTextureParameters = {{{
     .doc = "a .png or .jpg beside the rules, or in a folder above; \"\" changes nothing",
 }}};
 
-const std::array<Parameter, 6> kSetupParameters = {UvSet(),
+const std::array<Parameter, 6> kSetupParameters = {UvSetParameter(),
                                                    {.name = "axes",
                                                     .kind = ParameterKind::kWord,
                                                     .default_value = std::string("scope.xy"),
@@ -168,7 +159,7 @@ const std::array<Parameter, 6> kSetupParameters = {UvSet(),
                                                    Shift("widthOffset"),
                                                    Shift("heightOffset")};
 
-const std::array<Parameter, 1> kProjectParameters = {UvSet()};
+const std::array<Parameter, 1> kProjectParameters = {UvSetParameter()};
 
 }  // namespace
 
