@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <limits>
+
 #include "app/commands/commands.h"
 #include "app/document.h"
 #include "grammar/rules/rule_workers.h"
@@ -99,6 +102,25 @@ tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& optio
   return OpenedModel{std::move(*model), std::nullopt, {}};
 }
 
+/// What is wrong with a seed, of which -1 would be taken for 18446744073709551615; "" nothing.
+std::string SeedError(const std::string& text) {
+  uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, seed);
+  if (read.ec == std::errc() && read.ptr == end) return "";
+  return fmt::format("a seed is a whole number from 0 to {}, not '{}'",
+                     std::numeric_limits<uint64_t>::max(), text);
+}
+
+/// The same of a time; NaN would be no limit at all.
+std::string SecondsError(const std::string& text) {
+  double seconds = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, seconds);
+  if (read.ec == std::errc() && read.ptr == end && seconds >= 0) return "";
+  return fmt::format("--seconds is a time from 0 on, not '{}'", text);
+}
+
 void ShowPrints(const std::vector<grammar::LotNotes>& notes) {
   for (size_t lot = 0; lot < notes.size(); ++lot) {
     const std::string which = notes.size() > 1 ? fmt::format("lot-{}: ", lot) : "";
@@ -121,7 +143,8 @@ void AddModelOptions(CLI::App* command, ModelOptions* options) {
   command->add_option("--set", options->sets, "NAME=VALUE: an attribute's value")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--seed", options->seed, "of all that is left to chance (0)");
+  command->add_option("--seed", options->seed, "of all that is left to chance (0)")
+      ->check(SeedError);
   command->add_option("--style", options->style, "a style of the rules");
   command->add_option("--layers-off", options->layers_off, "Rule.layer,Rule.layer: left out");
   command->add_flag("--skip-unknown", options->skip_unknown,
@@ -130,7 +153,8 @@ void AddModelOptions(CLI::App* command, ModelOptions* options) {
       ->check(CLI::Range(0, 1024));
   command->add_option("--depth", options->limits.depth, "levels of rules at most (250)");
   command->add_option("--shapes", options->limits.shapes, "of one lot at most (2000000)");
-  command->add_option("--seconds", options->limits.seconds, "for one lot at most (any time)");
+  command->add_option("--seconds", options->limits.seconds, "for one lot at most (any time)")
+      ->check(SecondsError);
 }
 
 tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options,

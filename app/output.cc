@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "app/export_glb.h"
 #include "app/export_obj.h"
+#include "app/file_ending.h"
 #include "app/picture.h"
 #include "base/text_file.h"
 #include "grammar/rules/rule_text.h"
@@ -71,7 +71,32 @@ constexpr std::array kFormats = {
     Format{".png", WriteView},
 };
 
+/// null: none.
+const Format* FormatFor(const std::string& path) {
+  const std::string ending = EndingOf(path);
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return &format;
+  }
+  return nullptr;
+}
+
 }  // namespace
+
+Result<void> CheckExportEnding(const std::string& path) {
+  if (FormatFor(path) != nullptr) return {};
+  return Fail(ErrorCode::kUnknownName,
+              fmt::format("'{}' is no format to export to ({})", EndingOf(path), path),
+              fmt::format("there are {}", ExportEndings()));
+}
+
+Result<void> CheckEndings(const std::vector<std::string>& exports, const std::string& png,
+                          const std::string& document) {
+  for (const std::string& path : exports) {
+    if (auto known = CheckExportEnding(path); !known) return known;
+  }
+  if (auto fine = CheckEnding(png, ".png"); !fine) return fine;
+  return CheckEnding(document, ".parti");
+}
 
 std::string ExportEndings() {
   std::string endings;
@@ -83,13 +108,8 @@ std::string ExportEndings() {
 
 Result<void> ExportModel(const Model& model, const std::optional<Camera>& view,
                          const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  for (const Format& format : kFormats) {
-    if (format.ending == ending) return format.write({model, view, path});
-  }
-  return Fail(ErrorCode::kUnknownName,
-              fmt::format("'{}' is no format to export to ({})", ending, path),
-              fmt::format("there are {}", ExportEndings()));
+  if (auto known = CheckExportEnding(path); !known) return known;
+  return FormatFor(path)->write({model, view, path});
 }
 
 }  // namespace parti::app

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session_state.h"
 #include "base/error.h"
@@ -16,6 +17,13 @@ namespace parti::app {
 ///         is empty;  kFile.
 Result<void> ExportModel(const Model& model, const std::optional<Camera>& view,
                          const std::string& path);
+
+/// Whether ExportModel knows the path's ending, capitals or not; for before the model is made.
+/// errors  kUnknownName.
+Result<void> CheckExportEnding(const std::string& path);
+/// The same for all that a command is to write: exports, a picture, a document; "" none.
+Result<void> CheckEndings(const std::vector<std::string>& exports, const std::string& png,
+                          const std::string& document);
 
 /// ".glb, .gltf, …": the endings that ExportModel knows.
 std::string ExportEndings();

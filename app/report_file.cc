@@ -7,13 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "app/file_ending.h"
 #include "base/text_file.h"
+#include "grammar/lexer.h"
 #include "grammar/rules/report_table.h"
 
 namespace parti::app {
 namespace {
 
 using grammar::LotNotes;
+using grammar::NumberText;
 using grammar::ReportRow;
 using grammar::ValueType;
 using Json = nlohmann::ordered_json;
@@ -65,8 +68,9 @@ std::string CsvText(const std::string& lot, const std::vector<ReportRow>& rows) 
   for (const ReportRow& row : rows) {
     const std::string head = fmt::format("{},{}", lot, Cell(row.key));
     if (row.type == ValueType::kNumber) {
-      text += fmt::format("{},,{},{},{},{},{},{}\r\n", head, row.count, row.sum, row.average,
-                          row.least, row.most, row.no_numbers);
+      text += fmt::format("{},,{},{},{},{},{},{}\r\n", head, row.count, NumberText(row.sum),
+                          NumberText(row.average), NumberText(row.least), NumberText(row.most),
+                          row.no_numbers);
     }
     for (const auto& [value, count] : row.values) {
       text += fmt::format("{},{},{},,,,,\r\n", head, Cell(value), count);
@@ -102,13 +106,14 @@ Result<void> WriteReports(std::span<const LotNotes> lots, const std::string& pat
     return Fail(ErrorCode::kNothingMade, fmt::format("the rules report nothing for {}", path),
                 "say what: report(\"floor area\", geometry.area)");
   }
-  return WriteFile(path, path.ends_with(kCsv) ? CsvText(lots) : JsonText(lots));
+  return WriteFile(path, EndingOf(path) == kCsv ? CsvText(lots) : JsonText(lots));
 }
 
 std::string ReportEndings() { return fmt::format("{}, {}", kCsv, kJson); }
 
 std::string ReportEndingError(const std::string& path) {
-  if (path.ends_with(kCsv) || path.ends_with(kJson)) return "";
+  const std::string ending = EndingOf(path);
+  if (ending == kCsv || ending == kJson) return "";
   return fmt::format("reports are written to {}, not to '{}'", ReportEndings(), path);
 }
 

@@ -293,6 +293,12 @@ std::string QuotedText(std::string_view text) {
   return quoted + '"';
 }
 
-std::string NumberText(double number) { return fmt::format("{}", number); }
+std::string NumberText(double number) {
+  return std::isnan(number) ? "nan" : fmt::format("{}", number);
+}
+
+std::string RoundedText(double number) {
+  return std::isnan(number) ? "nan" : fmt::format("{:.6g}", number);
+}
 
 }  // namespace parti::grammar

@@ -97,7 +97,10 @@ bool IsName(std::string_view name);
 std::string NameText(std::string_view name);
 /// In double quotes, escaped.
 std::string QuotedText(std::string_view text);
-/// The shortest text that reads back as the same finite double.
+/// The shortest text that reads back as the same finite double. What is no number is "nan" on every
+/// machine: its sign, which 0/0 gives or not as the processor likes, is not written.
 std::string NumberText(double number);
+/// The same to six digits, for messages.
+std::string RoundedText(double number);
 
 }  // namespace parti::grammar

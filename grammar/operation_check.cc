@@ -6,6 +6,7 @@
 #include <set>
 
 #include "grammar/color_text.h"
+#include "grammar/lexer.h"
 #include "grammar/operation.h"
 #include "grammar/operations/split_sizes.h"
 #include "grammar/part_number.h"
@@ -22,7 +23,7 @@ Result<void> CheckNumber(const Operation& row, const Parameter& parameter, doubl
   if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return {};
   if (!parameter.required && parameter.default_value == Argument(value)) return {};
   return Fail(ErrorCode::kBadNumber,
-              fmt::format("{}: {} is {:.6g}", row.name, parameter.name, value),
+              fmt::format("{}: {} is {}", row.name, parameter.name, RoundedText(value)),
               fmt::format("give a number from {:.6g} to {:.6g}", parameter.low, parameter.high));
 }
 
@@ -94,7 +95,8 @@ Result<void> CheckKey(const Action& action, const Successor& successor) {
                 "write size: Symbol, as in 3: Door or ~1: Wall");
   }
   if (std::isfinite(size->value) && std::abs(size->value) <= kLargestSize_m) return {};
-  return Fail(ErrorCode::kBadNumber, fmt::format("{}: a size is {:.6g}", Name(action), size->value),
+  return Fail(ErrorCode::kBadNumber,
+              fmt::format("{}: a size is {}", Name(action), RoundedText(size->value)),
               fmt::format("give a number up to {:.0g}", kLargestSize_m));
 }
 

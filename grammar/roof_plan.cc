@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "grammar/lexer.h"
+
 namespace parti::grammar {
 namespace {
 
@@ -125,14 +127,14 @@ Result<double> SlopeOf(const RoofPitch& pitch, double furthest_m) {
   if (pitch.by_height) {
     const double slope = pitch.value / furthest_m;
     if (pitch.value > kLengthTolerance_m && std::isfinite(slope)) return slope;
-    return Fail(ErrorCode::kBadNumber, fmt::format("a roof is {:.6g} m high", pitch.value),
+    return Fail(ErrorCode::kBadNumber, fmt::format("a roof is {} m high", RoundedText(pitch.value)),
                 "give a height above 0");
   }
   if (pitch.value >= kFlattestRoof_deg && pitch.value <= kSteepestRoof_deg) {
     return std::tan(Angle::Degrees(pitch.value).radians());
   }
   return Fail(
-      ErrorCode::kBadNumber, fmt::format("a roof rises by {:.6g} degrees", pitch.value),
+      ErrorCode::kBadNumber, fmt::format("a roof rises by {} degrees", RoundedText(pitch.value)),
       fmt::format("give an angle from {:g} to {:g} degrees", kFlattestRoof_deg, kSteepestRoof_deg));
 }
 

@@ -93,6 +93,8 @@ int PrintStats(const OpenedModel& opened, const Times& times) {
 }
 
 int Derive(const Options& options) {
+  const auto fine = CheckEndings(options.exports, options.png, options.save);
+  if (!fine) return Report(fine.error());
   Times times;
   std::atomic<double> normalise_s = 0;
   const double start = Now();

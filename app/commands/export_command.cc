@@ -9,6 +9,7 @@ namespace parti::app {
 namespace {
 
 int Export(const ModelOptions& options, const std::string& out) {
+  if (const auto known = CheckExportEnding(out); !known) return Report(known.error());
   const auto opened = OpenModel(options);
   if (!opened) return ReportAll(opened.error());
   const auto done = ExportModel(opened->model, opened->view, out);

@@ -14,6 +14,7 @@
 #include "app/command_pipe.h"
 #include "app/commands/commands.h"
 #include "app/display/open_display.h"
+#include "app/file_ending.h"
 #include "app/play.h"
 #include "base/text_file.h"
 
@@ -198,6 +199,9 @@ int Open(const Options& options, const std::vector<std::string>& commands,
          const std::vector<std::string>& surplus) {
   if (const int status = CheckFile(options.file, commands); status != kDone) return status;
   if (const int status = CheckSurplus(surplus); status != kDone) return status;
+  if (const auto fine = CheckEnding(options.screenshot, ".png"); !fine) {
+    return Report(fine.error());
+  }
   const EndSignals signals;
   const auto kind = DisplayKindOf(options.display);
   if (!kind) return Report(kind.error());

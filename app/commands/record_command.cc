@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/commands/commands.h"
+#include "app/file_ending.h"
 #include "input/drawing_recorder.h"
 #include "input/libinput_source.h"
 
@@ -56,6 +57,7 @@ Result<void> RecordEvents(const Options& options, LibinputSource& source,
 }
 
 Result<std::string> Record(const Options& options) {
+  if (const auto fine = CheckEnding(options.out, ".pen"); !fine) return Fail(fine);
   auto source = options.node.empty() ? LibinputSource::OpenSeat()
                                      : LibinputSource::OpenDevices({options.node});
   if (!source) return Fail(source);

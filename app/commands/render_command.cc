@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/file_ending.h"
 #include "app/open_model.h"
 #include "app/picture.h"
 
@@ -45,6 +46,7 @@ Result<Camera> CameraFor(const Options& options, const OpenedModel& opened) {
 }
 
 int Render(const Options& options) {
+  if (const auto fine = CheckEnding(options.png, ".png"); !fine) return Report(fine.error());
   auto opened = OpenModel(options.model);
   if (!opened) return ReportAll(opened.error());
   const auto camera = CameraFor(options, *opened);

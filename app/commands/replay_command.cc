@@ -69,6 +69,8 @@ int WriteOutputs(const Options& options, const Session& session) {
 }
 
 int Replay(const Options& options) {
+  const auto fine = CheckEndings(options.exports, options.png, options.save);
+  if (!fine) return Report(fine.error());
   const auto text = ReadFile(options.drawing);
   if (!text) return Report(text.error());
   const input::DrawingReading reading = input::ReadDrawing(*text, options.drawing);

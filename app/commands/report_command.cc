@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.h"
 #include "app/document_report.h"
+#include "app/file_ending.h"
 
 namespace parti::app {
 namespace {
@@ -12,6 +13,7 @@ struct Options {
 };
 
 int Record(const Options& options) {
+  if (const auto fine = CheckEnding(options.out, ".pen"); !fine) return Report(fine.error());
   const auto document = OpenDocument(options.document);
   if (!document) return Report(document.error());
   const auto written = WriteReport(*document, options.out);

@@ -1,16 +1,16 @@
 #include "grammar/rules/conversions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
+
+#include "grammar/lexer.h"
 
 namespace parti::grammar {
 
 std::string TextOf(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-  return fmt::format("{}", std::get<double>(value));
+  return NumberText(std::get<double>(value));
 }
 
 double NumberOf(const Value& value) {

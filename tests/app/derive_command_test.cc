@@ -94,6 +94,69 @@ TEST(DeriveCommand, WritesModelsPicturesAndDocuments) {
   }
 }
 
+TEST(DeriveCommand, OutputsAreNotNamedAsWhatTheyAreNot) {
+  const std::string rules = File(kHouse), folder = tests::TestFolder() + "/";
+  const std::map<std::string, std::vector<std::string>> wrong = {
+      {"a.jpg", {"derive", rules, "--png"}},
+      {"a.glb", {"derive", rules, "--save"}},
+      {"a.fbx", {"derive", rules, "--export"}},
+      {"b.jpg", {"render", rules, "--png"}},
+      {"b.png.gz", {"render", rules, "--png"}},
+      {"c.jpeg", {"export", rules}},
+      {"d.png", {"report", rules}},
+      {"d.txt", {"record"}},
+      {"e.gif", {"replay", rules, "--png"}},
+      {"e.cga", {"replay", rules, "--save"}},
+      {"f.jpg", {"--display", "no", "--screenshot"}}};
+  for (auto [name, arguments] : wrong) {
+    arguments.push_back(folder + name);
+    const ProgramRun run = RunParti(arguments);
+    EXPECT_EQ(run.status, 1) << name;
+    EXPECT_THAT(run.errors, HasSubstr(name));
+    EXPECT_THAT(run.errors, HasSubstr("hint: ")) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder + name)) << name;
+  }
+}
+
+TEST(DeriveCommand, EndingsInCapitalsAndNoneAreFine) {
+  const std::string folder = tests::TestFolder();
+  const ProgramRun run = RunParti({"derive", File(kHouse), "--export", folder + "/A.OBJ", "--png",
+                                   folder + "/picture", "--save", folder + "/A.Parti"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(*ReadFile(folder + "/picture"), HasSubstr("PNG"));
+}
+
+TEST(DeriveCommand, ASeedIsAWholeNumberThatFits) {
+  const std::string rules = File(kHouse);
+  EXPECT_EQ(RunParti({"derive", rules, "--seed", "18446744073709551615"}).status, 0);
+  for (const char* seed : {"-1", "-0", "1.5", "1e3", "18446744073709551616", "", "nan"}) {
+    const ProgramRun run = RunParti({"derive", rules, "--seed", seed});
+    EXPECT_EQ(run.status, 2) << seed;
+    EXPECT_THAT(run.errors, HasSubstr("from 0 to 18446744073709551615")) << seed;
+  }
+  for (const char* seconds : {"-1", "nan"}) {
+    EXPECT_EQ(RunParti({"derive", rules, "--seconds", seconds}).status, 2) << seconds;
+  }
+}
+
+TEST(DeriveCommand, WhatIsNoNumberIsOneWordEverywhere) {
+  const std::string rules = File(
+      "attr a = 0/0\nattr b = -(0/0)\n"
+      "Lot --> print(a) print(b) print(str(a) + str(b)) report(\"n\", a - b) extrude(1) A\n");
+  const ProgramRun run = RunParti({"derive", rules});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  for (const char* line : {"9: rule Lot: nan\n", "18: rule Lot: nan\n", "27: rule Lot: nannan\n"}) {
+    EXPECT_THAT(run.errors, HasSubstr(line));
+  }
+  for (const char* bad : {"0/0", "-(0/0)"}) {
+    const std::string wrong = File(std::string("Lot --> extrude(") + bad + ") A\n");
+    EXPECT_THAT(RunParti({"derive", wrong}).errors, HasSubstr("distance is nan")) << bad;
+  }
+  for (const char* bad : {"a=nan", "a=-nan", "a=inf", "a=-inf"}) {
+    EXPECT_EQ(RunParti({"derive", rules, "--set", bad}).status, 1) << bad;
+  }
+}
+
 TEST(DeriveCommand, ADocumentDerivesTheSameAgain) {
   const std::string rules = File(kHouse), document = tests::TestFolder() + "/house.parti";
   const std::vector<std::string> options = {"--set", "height=9", "--layers-off", "Facade.door"};
