@@ -94,6 +94,7 @@ bool DrawChoice(Ui* ui, const WordPick& pick, const WordPick::Choice& choice, co
 std::vector<WordPick> WordPicksOf(const grammar::Action& action) {
   std::vector<WordPick> picks;
   const auto parameters = action.operation->parameters;
+  const bool is_comp = action.operation->name == "comp";
   for (size_t i = 0; i < std::min(parameters.size(), action.arguments.size()); ++i) {
     const grammar::Parameter& parameter = parameters[i];
     const Argument& argument = action.arguments[i];
@@ -108,7 +109,8 @@ std::vector<WordPick> WordPicksOf(const grammar::Action& action) {
       for (const Swatch& s : kSwatches) pick.choices.push_back({s.name, "", std::string(s.color)});
     } else if (is_text && parameter.words.size() != 1) {
       for (const auto& word : parameter.words) {
-        pick.choices.push_back({std::string(word), std::string(word), std::string(word)});
+        const std::string label(is_comp ? NameOfComponent(word) : word);
+        pick.choices.push_back({label, label, std::string(word)});
       }
     } else {
       continue;

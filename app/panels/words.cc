@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -134,6 +135,11 @@ std::string Named(const Action& action) {
   return words;
 }
 
+std::string Taken(const Action& action) {
+  const auto& component = std::get<std::string>(action.arguments.at(0));
+  return fmt::format("Take {}: {}", NameOfComponent(component), Parts(action));
+}
+
 struct Row {
   std::string_view name;
   Icon icon;
@@ -145,7 +151,7 @@ constexpr Row kRows[] = {
     {"split", Icon::kSplit,
      [](const Action& a) { return fmt::format("Split {}: {}", Along(a), Parts(a)); }},
     {"repeat", Icon::kRepeat, Repeated},
-    {"comp", Icon::kComp, [](const Action& a) { return "Take faces: " + Parts(a); }},
+    {"comp", Icon::kComp, Taken},
     {"offset", Icon::kOffset, Offset},
     {"color", Icon::kColor, Named},
     {"tag", Icon::kTag, Named},
@@ -167,6 +173,14 @@ void AddSymbols(const std::vector<Successor>& successors, std::vector<std::strin
 }
 
 }  // namespace
+
+std::string_view NameOfComponent(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kNames = {
+      {{"f", "faces"}, {"e", "edges"}, {"fe", "face edges"}, {"v", "vertices"}}};
+  const auto* name = std::find_if(kNames.begin(), kNames.end(),
+                                  [&](const auto& entry) { return entry.first == word; });
+  return name == kNames.end() ? word : name->second;
+}
 
 std::string Capital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/panels/icons.h"
 #include "grammar/action.h"
@@ -26,6 +27,9 @@ std::string UnitOf(grammar::ParameterKind kind);
 /// "Extrude 19 m", "Split upward: 4 m, rest, 1 m", "Repeat across every 2.5 m". Operations without
 /// words of their own give their name and numbers.
 std::string WordsOf(const grammar::Action& action);
+
+/// What comp's letters stand for: "faces" of "f"; the word itself where it has no other name.
+std::string_view NameOfComponent(std::string_view word);
 
 /// What it gives: "Ground, CenterFloors, TopFloor"; "" when nothing has a name.
 std::string SymbolsOf(const grammar::Action& action);

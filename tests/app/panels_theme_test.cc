@@ -168,6 +168,7 @@ TEST(PanelWordsTest, OperationsAreSaidPlainly) {
   EXPECT_EQ(Words("split(y) { 4: A | { ~3: B }* | 1: C }"),
             "Split upward: 4 m, repeated (about 3 m), 1 m");
   EXPECT_EQ(Words("comp(f) { side: A | top: B }"), "Take faces: side, top");
+  EXPECT_EQ(Words("comp(fe) { all: A }"), "Take face edges: all");
   EXPECT_EQ(Words("color(\"#7e98a8\")"), "Color #7e98a8");
 }
 

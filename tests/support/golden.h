@@ -9,16 +9,20 @@
 namespace parti::tests {
 
 /// What still counts as the same picture. OSMesa and EGL, and one Mesa and the next, differ in how
-/// they round colours and cover edges; a shape that moved or vanished differs in far more.
+/// they round colours and cover edges: thinly, along lines. A shape that moved or vanished differs
+/// in far more pixels, another word in many of those where it stands.
 struct GoldenTolerance {
   int channel = 24;         ///< a pixel differs when a channel is off by more, of 255
   double fraction = 0.004;  ///< of the pixels may differ
+  double crowd = 0.2;       ///< of the pixels of any square of kCrowd_px may differ
 };
+constexpr int kCrowd_px = 16;
 
 /// How two pictures differ.
 struct PictureDifference {
   bool same_size = false;
   size_t pixels = 0;     ///< that differ
+  size_t crowd = 0;      ///< that differ in the square where most do; squares from the top left
   render::Image marked;  ///< the first picture, pale, with what differs in red
 };
 
