@@ -1,8 +1,10 @@
-"""The parts of the system test that need no machine: pictures, archives, hands, recordings."""
+"""The parts of the system test that need no machine: pictures, archives, hands, recordings, timetables."""
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -122,6 +124,95 @@ class Hands(unittest.TestCase):
     def test_the_house_keeps_its_middle(self):
         (act,) = hand.house("pen 0 down 1 140,87.5\npen 0 up 1.1 140,87.5\n")
         self.assertIn("148.8800,84.6200", act.drawing().decode())
+
+
+# A run of two stages whose machine is a sleeping child of setpriv; arguments: its limits [s].
+SLEEPY_RUN = """
+import pathlib, sys, tempfile, time
+sys.path.insert(0, {here!r})
+from machine import Machine
+from timetable import Timetable
+
+class Bed(Machine):
+    def _command(self, *_):
+        return ["setpriv", "--pdeathsig", "KILL", "sleep", "300"]
+    def _wait_for_boot(self):
+        pass
+
+def stage_sleep():
+    with tempfile.TemporaryDirectory() as folder, Bed(None, None, None, pathlib.Path(folder)) as bed:
+        print("child", bed._qemu.pid, flush=True); time.sleep(300)
+
+stages = {{"quick": lambda: None, "bad": lambda: "a reason", "sleepy": stage_sleep, "later": lambda: None}}
+sys.exit(0 if Timetable(stages, float(sys.argv[1]), float(sys.argv[2])).run() else 1)
+"""
+
+
+class Timetables(unittest.TestCase):
+    """What a run says when it is cut off, and what it leaves behind: nothing."""
+
+    def begin(self, begin_s, end_s):
+        """The run as a program of its own, to be signalled."""
+        script = SLEEPY_RUN.format(here=str(pathlib.Path(__file__).parent))
+        run = subprocess.Popen([sys.executable, "-B", "-c", script, str(begin_s), str(end_s)],
+                               stdout=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        return run
+
+    @staticmethod
+    def child_of(run):
+        """The machine that a run has started, once it has."""
+        for line in run.stdout:
+            if line.startswith("child "):
+                return int(line.split()[1])
+        raise AssertionError("the machine was not started")
+
+    def assert_gone(self, pid):
+        """Its process has ended, whoever is to bury it."""
+        limit = time.monotonic() + 10
+        stat = pathlib.Path(f"/proc/{pid}/stat")
+        while stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z":
+            self.assertLess(time.monotonic(), limit, "the machine lives on")
+            time.sleep(0.02)
+
+    def assert_told(self, said, why):
+        self.assertRegex(said, rf"system: sleepy: FAILED: cut off after \d+ s: {why}, in stage_sleep")
+        self.assertIn("finished before: quick 0 s, bad 0 s (failed)", said)
+        self.assertIn("not begun: later", said)
+        self.assertIn("hint: try it alone", said)
+        self.assertIn("tests/system/run --stage sleepy", said)
+        self.assertIn("1 passed, 3 failed", said)
+
+    def test_a_run_whose_time_is_up_names_the_stage_and_ends_its_machine(self):
+        run = self.begin(1, 1)
+        child = self.child_of(run)
+        said, _ = run.communicate(timeout=30)
+        self.assert_told(said, "1 s are over")
+        self.assertEqual(run.returncode, 1)
+        self.assert_gone(child)
+
+    def test_a_run_that_is_told_to_end_does_the_same(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            run = self.begin(100, 100)
+            child = self.child_of(run)
+            run.send_signal(number)
+            said, _ = run.communicate(timeout=30)
+            self.assert_told(said, number.name + " came")
+            self.assertEqual(run.returncode, 1)
+            self.assert_gone(child)
+
+    def test_a_run_that_is_killed_takes_its_machine_along(self):
+        run = self.begin(100, 100)
+        child = self.child_of(run)
+        run.kill()
+        run.communicate(timeout=30)
+        self.assert_gone(child)
+
+    def test_no_stage_begins_when_there_is_no_time_left(self):
+        run = self.begin(0, 100)
+        said, _ = run.communicate(timeout=30)
+        self.assertEqual(said.count("no time left"), 4)
+        self.assertEqual(run.returncode, 1)
 
 
 if __name__ == "__main__":
