@@ -118,6 +118,7 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
   news->input.insert(news->input.end(), fed_.begin(), fed_.end());
   fed_.clear();
   Take(*news);
+  TakeEnd();
   TakeSnapshot();
   if (folders_.ready().Clear()) panels_stale_ = true;
   if (queries_.ready().Clear()) marks_stale_ = true;
@@ -157,6 +158,7 @@ void Application::Wait(double wait_s, std::span<const int> also) const {
   fds.push_back({trials_.ready().fd(), POLLIN, 0});
   fds.push_back({queries_.ready().fd(), POLLIN, 0});
   fds.push_back({placing_.ready().fd(), POLLIN, 0});
+  if (options_.end_fd >= 0) fds.push_back({options_.end_fd, POLLIN, 0});
   for (const int fd : also) fds.push_back({fd, POLLIN, 0});
   poll(fds.data(), fds.size(), static_cast<int>(std::ceil(wait_s * 1000)));
 }
@@ -173,6 +175,12 @@ void Application::Take(const DisplayNews& news) {
     if (std::holds_alternative<DeviceEvent>(event)) panels_stale_ = true;
   }
   if (news.hidden || news.close_asked) PutDown();
+}
+
+void Application::TakeEnd() {
+  if (close_asked_ || !options_.end_asked || !options_.end_asked()) return;
+  close_asked_ = true;
+  PutDown();
 }
 
 void Application::PutDown() { TakeAll(hands_.LiftAll()); }

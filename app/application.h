@@ -35,6 +35,9 @@ struct ApplicationOptions {
   UserFolders folders = {};   ///< of drafts and recent files; "" for none
   SteppingAsideParams stepping_aside = {};
   std::function<void(const SessionSnapshot&)> on_snapshot;  ///< told of each; may be empty
+  /// Whether a signal asks for the end, as a window's cross does; asked in each turn; may be empty.
+  std::function<bool()> end_asked;
+  int end_fd = -1;  ///< readable when it does
 };
 
 /// Used by one thread. Never derives, infers, or touches a file.
@@ -59,6 +62,7 @@ class Application {
   /// As if a panel had sent it.
   void Do(const PanelCommand& command);
 
+  /// Whether a person, the display or a signal asked for the end.
   bool close_asked() const { return close_asked_; }
   /// As if every pen, finger and button were lifted: the program is about to end, and what is being
   /// drawn is to be kept.
@@ -80,6 +84,7 @@ class Application {
   Result<void> Start();
 
   void Wait(double wait_s, std::span<const int> also) const;
+  void TakeEnd();
   void Take(const DisplayNews& news);
   void TakeSnapshot();
   void Resized();

@@ -48,6 +48,11 @@ void DocumentThread::Executed(DocumentChange change) {
   given_.notify_one();
 }
 
+void DocumentThread::Flush() {
+  std::unique_lock lock(mutex_);
+  rests_.wait(lock, [this] { return resting_ && !HasWork(); });
+}
+
 void DocumentThread::Add(Call call) {
   const std::lock_guard lock(mutex_);
   calls_.push_back(std::move(call));
@@ -77,6 +82,8 @@ std::vector<KeptRequest> DocumentThread::TakeRequests() {
 DocumentThread::Batch DocumentThread::Next() {
   std::unique_lock lock(mutex_);
   const auto has_work = [this] { return HasWork(); };
+  resting_ = true;
+  rests_.notify_all();
   if (last_executed_ < last_posted_) {
     given_.wait_for(lock, kStillThere, has_work);
   } else if (keeper_.status().trouble) {
@@ -84,6 +91,7 @@ DocumentThread::Batch DocumentThread::Next() {
   } else {
     given_.wait(lock, has_work);
   }
+  resting_ = false;
   Batch batch;
   const auto end =
       changes_.begin() + static_cast<std::ptrdiff_t>(std::min(changes_.size(), kMostChanges));

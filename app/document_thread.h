@@ -35,6 +35,9 @@ class DocumentThread {
   /// What an executed request did; in order. Doesn't block.
   void Executed(DocumentChange change);
 
+  /// Waits until all that was given is on the disk, as far as it can be.
+  void Flush();
+
   /// Runs `work` with the keeper after everything that was given so far, and waits for it.
   template <typename Work>
   auto Run(Work work) -> std::invoke_result_t<Work, DocumentKeeper&> {
@@ -69,11 +72,13 @@ class DocumentThread {
 
   std::mutex mutex_;  // held to move values, never longer; guards:
   std::condition_variable given_;
+  std::condition_variable rests_;
   std::deque<DocumentChange> changes_;
   std::deque<Call> calls_;  // each after all changes
   std::deque<Waiting> waiting_;
   int64_t last_posted_ = 0, last_executed_ = 0;
   bool stop_ = false;
+  bool resting_ = false;  // what was taken is written
 
   std::thread thread_;
 };

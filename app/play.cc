@@ -16,7 +16,7 @@ Result<void> DoCommand(const input::DrawingCommand& line, Application* applicati
     if (!line.place.line_text.empty()) error.place = line.place;  // read from a file
     return tl::unexpected<Error>(std::move(error));
   }
-  if (auto settled = Settle(application); !settled) return settled;
+  if (auto settled = Settle(application); !settled || application->close_asked()) return settled;
   application->Do(PanelCommand(*command));
   return Settle(application);
 }
@@ -27,11 +27,13 @@ Result<void> PlayAll(const input::Drawing& drawing, Application* application) {
   auto next = drawing.commands.begin();
   const auto run_commands = [&]() -> Result<void> {
     for (; next != drawing.commands.end() && next->after_stroke <= strokes; ++next) {
+      if (application->close_asked()) return {};
       if (auto done = DoCommand(*next, application); !done) return done;
     }
     return {};
   };
   for (const InputEvent& event : drawing.events) {
+    if (application->close_asked()) return {};
     const auto* pen = std::get_if<PenEvent>(&event);
     if (pen && pen->kind == PenEvent::Kind::kDown) {
       if (auto done = run_commands(); !done) return done;
@@ -61,7 +63,7 @@ Result<void> Settle(Application* application, double most_s) {
       return Fail(ErrorCode::kLimitReached, "the application did not come to rest");
     }
     if (auto turned = application->Turn(kNap_s); !turned) return turned;
-  } while (!application->Settled());
+  } while (!application->Settled() && !application->close_asked());
   return {};
 }
 

@@ -106,6 +106,23 @@ class SessionThread::Impl {
     document_.reset();  // writes what was executed
   }
 
+  bool StopWithin(std::chrono::milliseconds most) {
+    {
+      std::unique_lock lock(mutex_);
+      stopping_ = true;
+      posted_.notify_one();
+      leaving_ = !at_ease_.wait_for(lock, most, [this] { return ended_; });
+      at_ease_.wait(lock, [this] { return ended_ || (!must_finish_ && !DocumentsWait()); });
+      if (!ended_) {
+        lock.unlock();
+        document_->Flush();
+        return false;
+      }
+    }
+    Stop();
+    return true;
+  }
+
  private:
   struct Request {
     uint64_t number = 0;
@@ -121,6 +138,7 @@ class SessionThread::Impl {
     }
     document_->Executed({});
     PublishState();
+    Set(&must_finish_, false);
     while (auto request = Next()) {
       SetBegun();
       auto done = request->moot ? Result<void>() : Do(*request);
@@ -131,17 +149,33 @@ class SessionThread::Impl {
       }
       document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
       PublishState(request->number);
+      Set(&must_finish_, false);
     }
+    Set(&ended_, true);
   }
 
-  /// Waits for a request; nothing when all are done and it is time to stop.
+  void Set(bool* flag, bool value) {
+    const std::lock_guard lock(mutex_);
+    *flag = value;
+    at_ease_.notify_one();
+  }
+
+  /// mutex_ is held.
+  bool DocumentsWait() const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [](const Request& request) {
+      return std::holds_alternative<DocumentRequest>(*request.what);
+    });
+  }
+
+  /// Waits for a request; nothing when all that have to be are done and it is time to stop.
   std::optional<Request> Next() {
     std::unique_lock lock(mutex_);
     posted_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
-    if (waiting_.empty()) return std::nullopt;
+    if (waiting_.empty() || (leaving_ && !DocumentsWait())) return std::nullopt;
     Request request = std::move(waiting_.front());
     waiting_.pop_front();
     request.moot = !waiting_.empty() && IsMoot(*request.what, *waiting_.front().what);
+    must_finish_ = std::holds_alternative<DocumentRequest>(*request.what);
     return request;
   }
 
@@ -204,6 +238,7 @@ class SessionThread::Impl {
 
   /// Executes what had been posted when the program was killed. Its numbers end with 0.
   void DoLeftOver(const std::vector<PostedRequest>& posted) {
+    Set(&must_finish_, true);  // what ends with the program too often is laid aside
     auto number = -static_cast<int64_t>(posted.size());
     for (const PostedRequest& request : posted) {
       const auto done = DoAgain(request);
@@ -300,6 +335,10 @@ class SessionThread::Impl {
   std::deque<Request> waiting_;
   uint64_t last_number_ = 0;
   bool stopping_ = false;
+  bool leaving_ = false;      // what waits stays for the next opening
+  bool must_finish_ = false;  // what the thread is at can't be left
+  bool ended_ = false;
+  std::condition_variable at_ease_;  // one of these two has changed
 
   mutable std::mutex newest_mutex_;  // held to copy a pointer; guards:
   std::shared_ptr<const SessionSnapshot> newest_;
@@ -321,5 +360,6 @@ uint64_t SessionThread::Post(SessionRequest request) { return impl_->Post(std::m
 std::shared_ptr<const SessionSnapshot> SessionThread::Newest() const { return impl_->Newest(); }
 const WakeFd& SessionThread::ready() const { return impl_->ready(); }
 void SessionThread::Stop() { impl_->Stop(); }
+bool SessionThread::StopWithin(std::chrono::milliseconds most) { return impl_->StopWithin(most); }
 
 }  // namespace parti::app

@@ -4,6 +4,7 @@
 // document_keeper.h's.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -25,7 +26,8 @@ struct SessionThreadOptions {
 ///             (2) what is acknowledged is in the document's file, and outlives the process;
 ///             (3) the file always holds the effect of the first n requests since it was opened,
 ///                 for some n >= the number acknowledged;
-///             (4) no request is lost by stopping: what was posted is executed and written.
+///             (4) no request is lost by stopping: what was posted is executed or kept for the next
+///                 opening, and written.
 class SessionThread {
  public:
   /// Starts at once; the document is opened on the new thread. Failures are in the snapshots.
@@ -48,6 +50,13 @@ class SessionThread {
   /// Finishes what was posted, writes it and closes the document. Idempotent; the last snapshot
   /// stays readable and says whether everything is on the disk.
   void Stop();
+
+  /// Stop() for who can't wait: what is not executed within `most` is in the document, and done
+  /// when that is opened again (docs/document.md). Requests about documents, all before them, and
+  /// what was left over last time are always done. Returns whether the thread has ended. If not,
+  /// everything is in the document all the same, and the process may end as it is; ~SessionThread
+  /// would wait.
+  [[nodiscard]] bool StopWithin(std::chrono::milliseconds most);
 
  private:
   class Impl;

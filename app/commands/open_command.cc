@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -20,6 +22,10 @@
 
 namespace parti::app {
 namespace {
+
+/// For what is not executed yet when the end is asked for; what takes longer is done when the
+/// document is opened again.
+constexpr std::chrono::seconds kPatience{2};
 
 struct Options {
   std::string file;
@@ -68,17 +74,21 @@ Result<void> PlayFile(const std::string& path, Application* application) {
 
 Result<void> TakeScreenshot(Application* application, const std::string& path) {
   if (auto settled = Settle(application); !settled) return settled;
+  if (application->close_asked()) {
+    return Fail(ErrorCode::kNothingMade,
+                fmt::format("ended before there was anything for {}", path));
+  }
   const auto image = application->Screenshot();
   if (!image) return Fail(image);
   return render::WritePng(*image, path);
 }
 
 /// Until the display is closed or a signal comes.
-Result<void> Loop(Application* application, const EndSignals& signals, CommandPipe* pipe) {
-  std::vector<int> also{signals.fd()};
+Result<void> Loop(Application* application, CommandPipe* pipe) {
+  std::vector<int> also;
   if (pipe) also.emplace_back(pipe->fd());
   constexpr double kLong_s = 60;
-  while (!application->close_asked() && !signals.came()) {
+  while (!application->close_asked()) {
     if (auto turned = application->Turn(kLong_s, also); !turned) return turned;
     if (!pipe) continue;
     for (const auto& command : pipe->Read()) {
@@ -146,7 +156,7 @@ Result<void> BeginFile(const std::string& file, Application* application) {
 Result<void> BeginOn(const std::string& lot, Application* application) {
   if (lot.empty()) return {};
   if (const auto readable = ParseLots(lot); !readable) return Fail(readable);
-  if (auto settled = Settle(application); !settled) return settled;
+  if (auto settled = Settle(application); !settled || application->close_asked()) return settled;
   if (!application->snapshot().state->model.lots().empty()) return {};
   application->Do(PanelCommand(Command(SetLot{lot})));
   if (auto settled = Settle(application); !settled) return settled;
@@ -162,6 +172,8 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   if (!pipe) return Fail(pipe);
   ApplicationOptions with = UsersOptions(*display);
   Result<void> logged;
+  with.end_asked = [&signals] { return signals.came(); };
+  with.end_fd = signals.fd();
   with.on_snapshot = [&](const SessionSnapshot& snapshot) {
     if (*log && logged) logged = (*log)->Note(snapshot);
   };
@@ -173,7 +185,7 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
     if (auto played = PlayFile(options.play, application->get()); !played) return played;
   }
   if (!options.screenshot.empty()) return TakeScreenshot(application->get(), options.screenshot);
-  if (auto looped = Loop(application->get(), signals, *pipe ? &**pipe : nullptr); !looped) {
+  if (auto looped = Loop(application->get(), *pipe ? &**pipe : nullptr); !looped) {
     return looped;
   }
   return logged;
@@ -212,11 +224,14 @@ int Open(const Options& options, const std::vector<std::string>& commands,
   if (IsThere(options.file)) with.path = options.file;
   SessionThread session(with);
   const auto ran = RunApplication(options, display->get(), &session, signals);
-  session.Stop();
+  const bool stopped = session.StopWithin(kPatience);
   display->reset();
   const auto last = session.Newest();
   if (last->document.trouble && last->document.unwritten > 0) Report(*last->document.trouble);
-  return ran ? kDone : Report(ran.error());
+  const int status = ran ? kDone : Report(ran.error());
+  if (stopped) return status;
+  std::fflush(nullptr);
+  std::_Exit(status);  // a derivation goes on that nobody waits for; its request is kept
 }
 
 }  // namespace

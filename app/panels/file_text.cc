@@ -73,27 +73,36 @@ void AddErrors(const std::vector<Error>& errors, FileLines* typed, std::vector<F
 }
 
 bool SameTyped(const TypedFiles& a, const TypedFiles& b) {
-  return a.over == b.over && a.failed_before == b.failed_before &&
+  return a.over == b.over && a.failed_before == b.failed_before && a.asked == b.asked &&
          std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
                     [](const grammar::RuleFile& one, const grammar::RuleFile& other) {
                       return one.name == other.name && one.text == other.text;
                     });
 }
 
+/// What a request has failed with since the last was typed.
+const FailedRequest* FailureOf(const SessionSnapshot& session, const TypedFiles& typed) {
+  const auto& failed = session.last_error;
+  return failed && failed->number > typed.failed_before ? &*failed : nullptr;
+}
+
 /// What a derivation of the typed text said, at its line.
 void AddFailure(const SessionSnapshot& session, const TypedFiles& typed, FileLines* file) {
-  const auto& failed = session.last_error;
-  if (!failed || failed->number <= typed.failed_before || !failed->error.place) return;
+  const FailedRequest* failed = FailureOf(session, typed);
+  if (!failed || !failed->error.place) return;
   if (failed->error.place->file == file->file) AddNote(failed->error, &file->lines);
 }
 
-/// Whether each of `files` is among `all`, with the same text.
-bool AreIn(const std::vector<grammar::RuleFile>& all, const std::vector<grammar::RuleFile>& files) {
-  return std::all_of(files.begin(), files.end(), [&](const grammar::RuleFile& file) {
-    return std::any_of(all.begin(), all.end(), [&](const grammar::RuleFile& one) {
-      return one.name == file.name && one.text == file.text;
-    });
+/// Whether a file is among them, with the same text.
+bool IsIn(const std::vector<grammar::RuleFile>& files, const grammar::RuleFile& file) {
+  return std::any_of(files.begin(), files.end(), [&](const grammar::RuleFile& one) {
+    return one.name == file.name && one.text == file.text;
   });
+}
+
+void MarkAsked(const std::string& file, const SessionSnapshot& session, TypedFiles* typed) {
+  typed->asked.push_back(file);
+  typed->failed_before = session.last_error ? session.last_error->number : 0;
 }
 
 }  // namespace
@@ -101,15 +110,20 @@ bool AreIn(const std::vector<grammar::RuleFile>& all, const std::vector<grammar:
 bool TypedFiles::Waits(const Model& model) const {
   const auto& now = model.ground->source;
   if (files.empty() || over == now) return !files.empty();
-  return over && now && over->files.size() == now->files.size() && AreIn(now->files, over->files) &&
-         !AreIn(now->files, files);
+  if (!over || !now || over->files.size() != now->files.size()) return false;
+  const bool ours = std::all_of(now->files.begin(), now->files.end(), [&](const auto& file) {
+    return IsIn(over->files, file) || IsIn(files, file);
+  });
+  return ours && std::any_of(files.begin(), files.end(),
+                             [&](const auto& file) { return !IsIn(now->files, file); });
 }
 
 void TypedFiles::Settle(const Model& model) {
   if (!Waits(model)) {
     *this = {};
-  } else {
+  } else if (over != model.ground->source) {
     over = model.ground->source;
+    std::erase_if(files, [&](const auto& file) { return IsIn(over->files, file); });
   }
 }
 
@@ -117,7 +131,8 @@ std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles&
   const Model& model = session.state->model;
   std::vector<FileLines> files;
   for (const grammar::RuleFile& file : TextsOf(model, typed)) {
-    FileLines& lines = files.emplace_back(FileLines{file.name, false, true, {}});
+    FileLines& lines = files.emplace_back();
+    lines.file = file.name;
     for (const std::string& line : Split(file.text)) lines.lines.push_back(LineOf(line));
   }
   if (!typed.Waits(model)) return files;
@@ -127,7 +142,12 @@ std::vector<FileLines> FilesOf(const SessionSnapshot& session, const TypedFiles&
     if (file == files.end()) continue;
     file->waits = true;
     AddErrors(ErrorsIn(*model.ground->source, one), &*file, &files);
-    if (file->is_read) AddFailure(session, typed, &*file);
+    if (!file->is_read) continue;
+    AddFailure(session, typed, &*file);
+    const bool asked =
+        std::find(typed.asked.begin(), typed.asked.end(), one.name) != typed.asked.end();
+    file->failed = asked && FailureOf(session, typed);
+    file->can_be_asked = !asked || file->failed;
   }
   return files;
 }
@@ -143,6 +163,14 @@ const std::vector<FileLines>& KnownFiles::Of(const SessionSnapshot& session,
     failed_ = failed;
   }
   return files_;
+}
+
+SetRuleText PutInForce(const SessionSnapshot& session, const std::string& file, TypedFiles* typed) {
+  MarkAsked(file, session, typed);
+  for (const grammar::RuleFile& one : typed->files) {
+    if (one.name == file) return {file, one.text};
+  }
+  return {file, ""};
 }
 
 std::optional<SetRuleText> TypeOver(const SessionSnapshot& session, const std::string& file,
@@ -168,8 +196,10 @@ std::optional<SetRuleText> TypeOver(const SessionSnapshot& session, const std::s
   typed->over = model.ground->source;
   typed->failed_before = session.last_error ? session.last_error->number : 0;
   std::erase_if(typed->files, [&](const auto& one) { return one.name == file; });
+  std::erase(typed->asked, file);
   typed->files.push_back(after);
   if (!ErrorsIn(*model.ground->source, after).empty()) return std::nullopt;
+  MarkAsked(file, session, typed);
   return SetRuleText{file, std::move(after.text)};
 }
 

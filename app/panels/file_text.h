@@ -16,13 +16,14 @@ namespace parti::app::panels {
 /// Texts of files that were typed and are not in force: they can't be read, or are being derived.
 struct TypedFiles {
   std::vector<grammar::RuleFile> files;    ///< empty: nothing is typed
+  std::vector<std::string> asked;          ///< names of those that have been sent as they are
   std::shared_ptr<const RuleSource> over;  ///< what they were typed over
   uint64_t failed_before = 0;              ///< FailedRequest::number when the last was typed
 
   /// Whether they are to be shown for this model: the texts of its files are still those typed
-  /// over, whatever has become of its layers.
+  /// over, or those typed, whatever has become of its layers.
   bool Waits(const Model& model) const;
-  /// Forgets them where other texts are in force: undo does not bring them back.
+  /// Forgets what is in force, and all where other texts are: undo does not bring them back.
   /// cost  compares texts where the model has other files or layers than at the last call.
   void Settle(const Model& model);
 };
@@ -30,8 +31,10 @@ struct TypedFiles {
 /// The text of one file.
 struct FileLines {
   std::string file;
-  bool waits = false;   ///< it was typed in, and is not in force
-  bool is_read = true;  ///< it can be read, with all other files as they are
+  bool waits = false;         ///< it was typed in, and is not in force
+  bool is_read = true;        ///< it can be read, with all other files as they are
+  bool failed = false;        ///< it is read, and the building can't be made by it
+  bool can_be_asked = false;  ///< it waits, is read, and nobody is at it: PutInForce
   std::vector<RulesLine> lines;
 };
 
@@ -51,6 +54,9 @@ class KnownFiles {
   uint64_t failed_ = 0;
   std::vector<FileLines> files_;
 };
+
+/// The command for a text that waits and can be read, by what has become of layers or other files.
+SetRuleText PutInForce(const SessionSnapshot& session, const std::string& file, TypedFiles* typed);
 
 /// Types `text` over a line of a file, or after its last where `line` is the number of lines; an
 /// empty text takes the line out. What can be read is the command to send; it and what can't be

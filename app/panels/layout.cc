@@ -1,5 +1,9 @@
 #include "app/panels/layout.h"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "app/panels/theme.h"
 
 namespace parti::app::panels {
@@ -8,6 +12,17 @@ namespace {
 /// Mirrored about the middle of the window.
 Box Mirrored(const Box& box, float width) {
   return {width - box.x1, box.y0, width - box.x0, box.y1};
+}
+
+constexpr int kMostLines = 8, kMostSteps = 8;  ///< that a word moves up or down, and aside
+
+/// How far a word may move, first not at all, then up or down, then aside and up or down.
+std::vector<Vec2> WaysOut(float line, float step) {
+  std::vector<Vec2> ways;
+  for (int aside = 0; aside <= kMostSteps; ++aside) {
+    for (int up = 0; up <= kMostLines; ++up) ways.emplace_back(aside * step, up * line);
+  }
+  return ways;
 }
 
 float Units(double scale, float units) { return static_cast<float>(scale * units); }
@@ -57,19 +72,33 @@ Box SheetAt(const Box& button, float width, float height, const Box& room, float
 }
 
 Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
-               double scale) {
+               double scale, std::span<const Box> controls) {
   const auto x = static_cast<float>(pen_px.x), y = static_cast<float>(pen_px.y);
   const float aside = Units(scale, 10), above = Units(scale, 26), below = Units(scale, 14);
   const float left = x - aside - width, right = x + aside;
   const float near = left_handed ? right : left, far = left_handed ? left : right;
-  for (const Box& place :
-       {BoxAt(near, y - above - height, width, height),
-        BoxAt(far, y - above - height, width, height), BoxAt(near, y + below, width, height),
-        BoxAt(far, y + below, width, height)}) {
-    const Box moved = Within(place, room);
-    if (moved.x0 == place.x0 && moved.y0 == place.y0) return place;
+  std::optional<Box> best;
+  std::ptrdiff_t least = 0;
+  for (const Vec2& away : WaysOut(height + Units(scale, 4), Units(scale, 48))) {
+    const auto up = static_cast<float>(away.y), out = static_cast<float>(away.x);
+    const float over = y - above - height - up, under = y + below + up;
+    const float out_near = near + (left_handed ? out : -out),
+                out_far = far + (left_handed ? -out : out);
+    for (const Box& place :
+         {BoxAt(out_near, over, width, height), BoxAt(out_far, over, width, height),
+          BoxAt(out_near, under, width, height), BoxAt(out_far, under, width, height)}) {
+      const Box moved = Within(place, room);
+      if (moved.x0 != place.x0 || moved.y0 != place.y0) continue;
+      const auto covered = std::count_if(controls.begin(), controls.end(),
+                                         [&](const Box& box) { return place.Overlaps(box); });
+      if (covered == 0) return place;
+      if (!best || covered < least) {
+        best = place;
+        least = covered;
+      }
+    }
   }
-  return Within(BoxAt(near, y - above - height, width, height), room);
+  return best ? *best : Within(BoxAt(near, y - above - height, width, height), room);
 }
 
 }  // namespace parti::app::panels

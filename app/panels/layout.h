@@ -2,6 +2,8 @@
 // What is in them is the panels'; cards beside the pen are cards.h's.
 #pragma once
 
+#include <span>
+
 #include "app/panels/box.h"
 
 namespace parti::app::panels {
@@ -37,8 +39,10 @@ Layout LayoutOf(const LayoutNeeds& needs);
 Box SheetAt(const Box& button, float width, float height, const Box& room, float gap);
 
 /// A word about what a pen hovers over: beside its tip and above it, on the side away from the
-/// hand, where there is room on the other; within `room` where it fits at all.
+/// hand, where there is room on the other; within `room` where it fits at all. It moves up,
+/// down or aside to cover none of `controls`, as far as a sheet is wide at most; else it covers as
+/// few as it can.
 Box WordBeside(const Vec2& pen_px, float width, float height, const Box& room, bool left_handed,
-               double scale);
+               double scale, std::span<const Box> controls = {});
 
 }  // namespace parti::app::panels

@@ -7,6 +7,8 @@ namespace {
 
 constexpr const char* kWaiting = "Not in force yet: mend the lines that are marked.";
 constexpr const char* kDeriving = "Not in force yet: the building can't be made by it so far.";
+constexpr const char* kReadable = "Not in force yet: it can be read now.";
+constexpr const char* kPut = "Put it in force";
 constexpr const char* kBack = "Back to the rules in force";
 constexpr const char* kNewLine = "Add a line";
 constexpr const char* kTrees = "Drawn on top of them";
@@ -69,6 +71,13 @@ class Texts {
     return ui_->Button({.name = back, .icon = Icon::kReset, .label = kBack}, button).pressed;
   }
 
+  /// Offers what a text that waits may be put in force by; whether it is to be.
+  bool Putting(const std::string& name) {
+    const Box button = Take(ui_->U(kMeasures.target), ui_->U(4));
+    if (!draw_) return false;
+    return ui_->Button({.name = name, .icon = Icon::kCheck, .label = kPut}, button).pressed;
+  }
+
   /// What was typed over the line.
   std::optional<std::string> Line(const std::string& name, RulesLine line) {
     const LineText text = Measured(ui_, std::move(line), list_.width());
@@ -115,11 +124,19 @@ void TypeInFile(Ui* ui, TypedFiles* all, const FileLines& file, size_t line,
   if (command) ui->SendTyped(*command);
 }
 
+const char* WaitingWords(const FileLines& file) {
+  if (!file.is_read) return kWaiting;
+  return file.can_be_asked && !file.failed ? kReadable : kDeriving;
+}
+
 /// `typed_files` is changed only where something is typed: never while measuring.
 void File(Ui* ui, TypedFiles* typed_files, const FileLines& file, Texts* texts) {
   texts->Heading(file.file);
-  if (file.waits && texts->Waiting(file.is_read ? kDeriving : kWaiting, "Back " + file.file)) {
+  if (file.waits && texts->Waiting(WaitingWords(file), "Back " + file.file)) {
     std::erase_if(typed_files->files, [&](const auto& one) { return one.name == file.file; });
+  }
+  if (file.can_be_asked && texts->Putting("Put in force " + file.file)) {
+    ui->SendTyped(PutInForce(*ui->view().session, file.file, typed_files));
   }
   for (size_t i = 0; i < file.lines.size(); ++i) {
     const auto typed = texts->Line(fmt::format("{} {}", file.file, i + 1), file.lines[i]);

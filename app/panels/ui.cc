@@ -20,6 +20,11 @@ constexpr ImGuiWindowFlags kListFlags =
 ImVec2 Low(const Box& box) { return {box.x0, box.y0}; }
 ImVec2 High(const Box& box) { return {box.x1, box.y1}; }
 
+Box At(const PanelTarget& target) {
+  return {static_cast<float>(target.low_px.x), static_cast<float>(target.low_px.y),
+          static_cast<float>(target.high_px.x), static_cast<float>(target.high_px.y)};
+}
+
 /// ImGui refuses things without a size.
 ImVec2 SizeOf(const Box& box) {
   return {std::max(1.0f, box.width()), std::max(1.0f, box.height())};
@@ -387,8 +392,12 @@ void Ui::DrawPenWord() {
   const Box room = window().Inset(U(4));
   const std::string word = Elided(pen.word, Letter::kSmall, room.width() - U(20));
   const float width = TextWidth(word, Letter::kSmall) + U(20);
-  DrawNoteIn(word,
-             WordBeside(*pen.position_px, width, U(28), room, view_->settings.left_handed, scale_));
+  std::vector<Box> controls;
+  for (const PanelTarget& target : output_->targets) {
+    if (target.visible) controls.push_back(At(target));
+  }
+  DrawNoteIn(word, WordBeside(*pen.position_px, width, U(28), room, view_->settings.left_handed,
+                              scale_, controls));
 }
 
 void Ui::DrawNoteIn(const std::string& text, const Box& box) {

@@ -147,6 +147,32 @@ TEST_F(PanelsFiles, TextsAreReadAnewOnlyWhereTheyChange) {
   EXPECT_FALSE(known.Of(failed, typed)[0].waits);
 }
 
+TEST_F(PanelsFiles, WhatAnotherFileMadeReadableIsPutInForceByATap) {
+  panels_.Tap("Rules/As text");
+  EXPECT_THAT(panels_.TypeOver("Rules/house.cga 5", "Lot --> extrude(roof.storey) Mass"),
+              IsEmpty());
+  EXPECT_FALSE(panels_.Shows("Put in force house.cga")) << "it can't be read";
+  Obey(panels_.TypeOver("Rules/roof.cga end", "const storey = 7"));
+  EXPECT_TRUE(panels_.Says("Lot --> extrude(roof.storey) Mass")) << "it is not lost";
+  const auto sent = panels_.Tap("Rules/Put in force house.cga");
+  ASSERT_THAT(sent, SizeIs(1));
+  EXPECT_FALSE(panels_.Shows("Put in force house.cga")) << "it is being derived";
+  Obey(sent);
+  EXPECT_THAT(Source().files[0].text, HasSubstr("extrude(roof.storey)"));
+  EXPECT_FALSE(panels_.Says("Not in force yet"));
+}
+
+TEST_F(PanelsFiles, WhatWasRefusedCanBeTriedAgain) {
+  panels_.Tap("Rules/As text");
+  ASSERT_THAT(panels_.TypeOver("Rules/house.cga 5", "Lot --> extrude(height / 0) Mass"), SizeIs(1));
+  EXPECT_FALSE(panels_.Shows("Put in force house.cga")) << "it is being derived";
+  auto failed = std::make_shared<SessionSnapshot>(*panels_.view.session);
+  failed->last_error = FailedRequest{1, {ErrorCode::kBadNumber, "too much", "", std::nullopt}};
+  panels_.view.session = failed;
+  EXPECT_TRUE(panels_.Says("can't be made by it"));
+  EXPECT_THAT(panels_.Tap("Rules/Put in force house.cga"), SizeIs(1));
+}
+
 class PanelsLayers : public PanelsFiles {
  protected:
   void SetUp() override {
@@ -205,7 +231,8 @@ TEST_F(PanelsLayers, ATextThatWaitsForThemIsNotLost) {
   panels_.Tap("Rules/As text");
   EXPECT_TRUE(panels_.Says("Not in force yet"));
   EXPECT_TRUE(panels_.Says("\"board\""));
-  Obey(panels_.TypeOver("Rules/house.cga 8", line + "  // was sign"));
+  EXPECT_TRUE(panels_.Says("can be read now"));
+  Obey(panels_.Tap("Rules/Put in force house.cga"));
   EXPECT_THAT(Source().files[0].text, HasSubstr(line));
   EXPECT_FALSE(panels_.Says("Not in force yet"));
 }

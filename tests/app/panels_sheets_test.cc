@@ -240,6 +240,27 @@ TEST_F(PanelsSheets, CardsLeaveHandlesClear) {
   }
 }
 
+TEST_F(PanelsSheets, TheWordBesideThePenCoversNoControl) {
+  HoldElement(&panels_.view);
+  panels_.view.pen.word = "1.60 m wide, 2.50 m high";
+  int covered = 0;
+  for (int x = 20; x < 1600; x += 60) {
+    for (int y = 20; y < 1000; y += 40) {
+      panels_.view.pen.position_px = Vec2(x, y);
+      const PanelOutput& output = panels_.Frame();
+      const PanelText& word = output.texts.back();
+      ASSERT_EQ(word.text, panels_.view.pen.word);
+      for (const PanelTarget& target : output.targets) {
+        const bool apart =
+            word.room_high_px.x <= target.low_px.x || word.room_high_px.y <= target.low_px.y ||
+            word.room_low_px.x >= target.high_px.x || word.room_low_px.y >= target.high_px.y;
+        covered += target.visible && !apart;
+      }
+    }
+  }
+  EXPECT_EQ(covered, 0);
+}
+
 TEST_F(PanelsSheets, FiguresFollowThePenThatDrags) {
   panels_.view.pen = {Vec2(700, 500), true, "1.50 m wide, 2.50 m high"};
   EXPECT_TRUE(panels_.Says("1.50 m wide"));

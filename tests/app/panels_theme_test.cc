@@ -135,6 +135,22 @@ RC_GTEST_PROP(PanelLayout, AWordBesideThePenIsInTheWindowAndNeverUnderTheTip, ()
   RC_ASSERT(word.DistanceTo(pen) > 5);
 }
 
+TEST(PanelLayoutTest, AWordCoversNoControl) {
+  const Box room{0, 0, 1600, 1000};
+  const Vec2 pen(800, 500);
+  const Box wanted = WordBeside(pen, 120, 28, room, false, 1);
+  std::vector<Box> controls = {{wanted.x0 + 5, wanted.y0 + 20, wanted.x0 + 49, wanted.y0 + 64}};
+  const Box other = WordBeside(pen, 120, 28, room, false, 1, controls);
+  EXPECT_FALSE(other.Overlaps(controls[0]));
+  EXPECT_GT(other.DistanceTo(pen), 5);
+  controls.push_back({0, 400, 1600, 600});  // a row of the window's width, the pen over it
+  const Box beyond = WordBeside(pen, 120, 28, room, false, 1, controls);
+  for (const Box& control : controls) EXPECT_FALSE(beyond.Overlaps(control));
+  controls.push_back(room);
+  EXPECT_FALSE(WordBeside(pen, 120, 28, room, false, 1, controls).Overlaps(controls[1]))
+      << "where something is covered anyway, as little as can be";
+}
+
 TEST(PanelLayoutTest, AWordIsOutOfTheWayOfTheHand) {
   const Box room{0, 0, 1600, 1000};
   for (const bool left : {false, true}) {

@@ -117,6 +117,42 @@ TEST_F(SessionThreadTest, StoppingExecutesAndWritesWhatWasPosted) {
   EXPECT_THAT(kept->history, SizeIs(21));
 }
 
+TEST_F(SessionThreadTest, WhatIsNotExecutedInTimeIsDoneAtTheNextOpening) {
+  const std::string path = folder_ + "/house.parti";
+  constexpr int kMany = 2000;
+  {
+    SessionThread thread(options_);
+    thread.Post(Line("lot rect(20,14)"));
+    thread.Post(DocumentRequest{Kind::kSaveAs, path});
+    thread.Post(Line("node .Lot --> extrude(12) Mass"));
+    for (int i = 1; i <= kMany; ++i) thread.Post(Line(fmt::format("set distance {}", i)));
+    static_cast<void>(thread.StopWithin(std::chrono::milliseconds(0)));
+    const auto kept = OpenDocument(path);  // as the next process would find it
+    ASSERT_TRUE(kept) << FormatError(kept.error());
+    EXPECT_GE(kept->history.size() + kept->posted.size(), size_t{kMany + 2});
+  }
+  const auto left = OpenDocument(path);
+  ASSERT_TRUE(left) << FormatError(left.error());
+  EXPECT_GT(left->posted.size(), 0u) << "all of them were waited for";
+  options_.path = path;
+  SessionThread again(options_);
+  const auto now = Settled(&again, again.Post(Line("select none")));
+  EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(2000)"));
+}
+
+TEST_F(SessionThreadTest, AnExportIsDoneHoweverShortTheTime) {
+  const std::string path = folder_ + "/house.obj";
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  thread.Post(Line("node .Lot --> extrude(12) Mass"));
+  thread.Post(DocumentRequest{Kind::kExport, path});
+  for (int i = 1; i <= 100; ++i) thread.Post(Line(fmt::format("set distance {}", i)));
+  static_cast<void>(thread.StopWithin(std::chrono::milliseconds(0)));
+  const auto written = ReadFile(path);
+  ASSERT_TRUE(written) << FormatError(written.error());
+  EXPECT_THAT(*written, HasSubstr("12"));
+}
+
 TEST_F(SessionThreadTest, AnUnknownFileIsSaidAndLeavesAnEmptyDocument) {
   options_.path = folder_ + "/missing.parti";
   SessionThread thread(options_);

@@ -54,4 +54,8 @@ std::optional<int> Child::Ended() {
   return status_;
 }
 
+void Child::Send(int signal) const {
+  if (!status_) ::kill(pid_, signal);
+}
+
 }  // namespace parti::tests

@@ -23,6 +23,8 @@ class Child {
 
   /// The exit status once it has ended: 128 + the signal that ended it; 127 if it can't be run.
   std::optional<int> Ended();
+  /// A signal, to the program alone.
+  void Send(int signal) const;
 
  private:
   pid_t pid_ = -1;
