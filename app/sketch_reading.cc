@@ -7,7 +7,8 @@
 namespace parti::app {
 namespace {
 
-Result<Sketch> ReadOnTarget(const SessionState& state, const sketch::SketchParameters& parameters) {
+Result<Sketch> ReadOnTargetWith(const SessionState& state,
+                                const sketch::SketchParameters& parameters) {
   Sketch sketch = state.sketch;
   sketch.lines = {};
   const grammar::Item& item = ShapeAt(state.model, *sketch.target).item;
@@ -20,6 +21,14 @@ Result<Sketch> ReadOnTarget(const SessionState& state, const sketch::SketchParam
   if (!suggestions) return Fail(suggestions);
   sketch.suggestions = std::move(*suggestions);
   return sketch;
+}
+
+/// Lines of several views: whole edges first, parts of edges where those fail.
+Result<Sketch> ReadOnTarget(const SessionState& state, const sketch::SketchParameters& parameters) {
+  auto read = ReadOnTargetWith(state, parameters);
+  if (read || read.error().code != ErrorCode::kNoFit) return read;
+  auto generous = ReadOnTargetWith(state, sketch::Generous(parameters));
+  return generous ? generous : read;
 }
 
 /// The best reading of strokes in one view over all shapes that may be meant.

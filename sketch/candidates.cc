@@ -37,7 +37,7 @@ std::vector<Family> FamiliesOf(const grammar::Operation& operation, const gramma
 }
 
 void AddSample(grammar::Action action, int family, const MadeEdges& made, const View& view,
-               Candidates* candidates) {
+               bool parts, Candidates* candidates) {
   const auto edges = made.Of(action);
   if (!edges || edges->empty()) return;  // this length does not fit this item
   Sample sample{std::move(action), family, static_cast<uint32_t>(candidates->edges.size()),
@@ -45,6 +45,7 @@ void AddSample(grammar::Action action, int family, const MadeEdges& made, const 
   for (const Segment3& edge : *edges) {
     candidates->edges.push_back(edge);
     candidates->screen.push_back(view.Project(edge));
+    if (parts) candidates->on_item.push_back(made.IsOnItem(edge) ? 1 : 0);
   }
   candidates->samples.push_back(std::move(sample));
 }
@@ -85,7 +86,7 @@ Result<Candidates> CandidatesOf(const grammar::Item& item, const View& view,
     if (!(operation.takes & grammar::Types(item.type))) continue;
     for (Family& f : FamiliesOf(operation, item, *lengths)) {
       for (grammar::Action& action : f.actions) {
-        AddSample(std::move(action), family, made, view, &candidates);
+        AddSample(std::move(action), family, made, view, parameters.parts, &candidates);
       }
       ++family;
     }

@@ -28,6 +28,8 @@ struct Candidates {
   std::vector<Sample> samples;                  ///< by family, then by length
   std::vector<Segment3> edges;                  ///< m
   std::vector<std::optional<Segment2>> screen;  ///< px; nothing for edges behind the eye
+  /// 1 for edges on the item, which may be drawn in part; empty where none may be.
+  std::vector<char> on_item;
 };
 
 /// The lengths that operations are sampled with: from 0 to reach * sigma (6.10), no two neighbours

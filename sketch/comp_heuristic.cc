@@ -33,10 +33,10 @@ std::vector<Hypothesis> CompHeuristic(const Configuration& configuration, const 
   if (!comp || item.type != grammar::ItemType::kVolume || configuration.lines.empty()) return {};
   const std::vector<Segment3> edges = grammar::EdgesOf(item);
   const double near_m = parameters.near_relative * DiagonalOf(item);
-  const bool all_are =
-      std::all_of(configuration.lines.begin(), configuration.lines.end(),
-                  [&](const WorldLine& line) { return IsEdge(line, edges, near_m); });
-  if (!all_are) return {};
+  const auto is_edge = [&](const WorldLine& line) { return IsEdge(line, edges, near_m); };
+  const bool traces = parameters.partly ? std::ranges::any_of(configuration.lines, is_edge)
+                                        : std::ranges::all_of(configuration.lines, is_edge);
+  if (!traces) return {};
   using Kind = grammar::Selector::Kind;
   Hypothesis alike{CompAction(*comp, {Kind::kAll})};
   alike.price = parameters.alike_faces;

@@ -18,6 +18,7 @@ struct LiftCandidate {
   Segment3 world;                                 ///< m
   double fitness = 0;                             ///< (6.13), (0, 1]
   const grammar::Operation* operation = nullptr;  ///< whose edge it is
+  int free_ends = 0;                              ///< drawn ends that lie along it, 0 to 2
 };
 
 /// A line of the sketch in the world, and the screen line that it was lifted from. One view can't

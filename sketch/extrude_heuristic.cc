@@ -63,6 +63,7 @@ std::vector<Hypothesis> ExtrudeHeuristic(const Configuration& configuration,
   const Base base{&item, OutlineOf(item), near_m, Angle::Degrees(parameters.angle_deg)};
   std::vector<std::vector<ValueReading>> heights;
   for (const WorldLine& line : configuration.lines) heights.push_back(HeightsOf(line, base));
+  if (parameters.partly) std::erase_if(heights, [](const auto& h) { return h.empty(); });
   std::vector<Hypothesis> hypotheses;
   for (const double height : AgreedValues(heights, near_m, parameters.most_starts)) {
     Hypothesis hypothesis{ActionOfLength(*extrude, height)};

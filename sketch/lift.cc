@@ -1,6 +1,7 @@
 #include "sketch/lift.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "sketch/score.h"
@@ -18,6 +19,13 @@ struct Reading {
   Segment3 world;
   double squared_px;
   const grammar::Operation* operation;
+  int free_ends;
+};
+
+// A drawn line, and what it may be compared with.
+struct Drawn {
+  Segment2 line;
+  double free_end_squared_px;  // price of an end along an edge
 };
 
 template <typename Point>
@@ -29,7 +37,19 @@ Segment<Point> Between(const Segment<Point>& a, const Segment<Point>& b, double 
   return {Between(a.a, b.a, t), Between(a.b, b.b, t)};
 }
 
-std::vector<Hit> HitsWithin(double greatest_squared_px, const Segment2& drawn,
+// Shares of the edge that the drawn line covers; all of it where it may not be drawn in part.
+Cover CoverAt(const Drawn& drawn, size_t edge, const Candidates& candidates) {
+  const bool part = !candidates.on_item.empty() && candidates.on_item[edge] != 0;
+  return CoverOf(drawn.line, *candidates.screen[edge],
+                 part ? drawn.free_end_squared_px : std::numeric_limits<double>::infinity());
+}
+
+double CostOf(const Cover& cover, const Drawn& drawn) {
+  return cover.free_ends == 0 ? cover.squared_px
+                              : cover.squared_px + cover.free_ends * drawn.free_end_squared_px;
+}
+
+std::vector<Hit> HitsWithin(double greatest_squared_px, const Drawn& drawn,
                             const Candidates& candidates) {
   std::vector<Hit> hits;
   for (size_t s = 0; s < candidates.samples.size(); ++s) {
@@ -37,7 +57,9 @@ std::vector<Hit> HitsWithin(double greatest_squared_px, const Segment2& drawn,
     for (size_t e = 0; e < sample.count; ++e) {
       const auto& screen = candidates.screen[sample.first + e];
       if (!screen) continue;
-      const double squared = SquaredEndDistance(drawn, *screen);
+      const double squared = candidates.on_item.empty()
+                                 ? SquaredEndDistance(drawn.line, *screen)
+                                 : CostOf(CoverAt(drawn, sample.first + e, candidates), drawn);
       if (squared <= greatest_squared_px) hits.push_back({s, e, squared});
     }
   }
@@ -47,37 +69,44 @@ std::vector<Hit> HitsWithin(double greatest_squared_px, const Segment2& drawn,
 }
 
 // Share of the way from `here` to `there` at which the projection is nearest to `drawn`: the least
-// squares solution for the four coordinates, in the orientation that fits `here`.
+// squares solution for the four coordinates.
 double BestShare(const Segment2& drawn, const Segment2& here, const Segment2& there) {
   const auto squared = [](const Vec2& v) { return glm::dot(v, v); };
-  const bool flipped = squared(drawn.a - here.a) + squared(drawn.b - here.b) >
-                       squared(drawn.a - here.b) + squared(drawn.b - here.a);
-  const Vec2 to_a = (flipped ? drawn.b : drawn.a) - here.a;
-  const Vec2 to_b = (flipped ? drawn.a : drawn.b) - here.b;
+  const Vec2 to_a = drawn.a - here.a, to_b = drawn.b - here.b;
   const Vec2 move_a = there.a - here.a, move_b = there.b - here.b;
   const double moved = squared(move_a) + squared(move_b);
   if (moved <= 0) return 0;
   return std::clamp((glm::dot(to_a, move_a) + glm::dot(to_b, move_b)) / moved, 0.0, 1.0);
 }
 
+Segment2 PartOf(const Segment2& edge, const Cover& cover) {
+  return {Between(edge.a, edge.b, cover.at_a), Between(edge.a, edge.b, cover.at_b)};
+}
+
 // Tries the way towards one neighbour in the family; only samples of the same make-up are a family.
-void MoveTowards(size_t neighbour, const Hit& hit, const Segment2& drawn, const Candidates& c,
+void MoveTowards(size_t neighbour, const Hit& hit, const Drawn& drawn, const Candidates& c,
                  Reading* best) {
   const Sample& here = c.samples[hit.sample];
   const Sample& there = c.samples[neighbour];
   if (there.family != here.family || there.count != here.count) return;
   const size_t i = here.first + hit.edge, j = there.first + hit.edge;
   if (!c.screen[i] || !c.screen[j]) return;
-  const double t = BestShare(drawn, *c.screen[i], *c.screen[j]);
-  const double squared = SquaredEndDistance(drawn, Between(*c.screen[i], *c.screen[j], t));
+  const Cover cover = CoverAt(drawn, i, c);
+  const Segment2 part_here = PartOf(*c.screen[i], cover), part_there = PartOf(*c.screen[j], cover);
+  const double t = BestShare(drawn.line, part_here, part_there);
+  const double squared = SquaredEndDistance(drawn.line, Between(part_here, part_there, t)) +
+                         CostOf(cover, drawn) - cover.squared_px;
   if (squared >= best->squared_px) return;
   best->squared_px = squared;
+  best->free_ends = cover.free_ends;
   best->world = Between(c.edges[i], c.edges[j], t);
 }
 
-Reading Refine(const Hit& hit, const Segment2& drawn, const Candidates& c) {
+Reading Refine(const Hit& hit, const Drawn& drawn, const Candidates& c) {
   const Sample& sample = c.samples[hit.sample];
-  Reading best{c.edges[sample.first + hit.edge], hit.squared_px, sample.action.operation};
+  const size_t edge = sample.first + hit.edge;
+  Reading best{c.edges[edge], hit.squared_px, sample.action.operation,
+               c.on_item.empty() ? 0 : CoverAt(drawn, edge, c).free_ends};
   if (hit.sample > 0) MoveTowards(hit.sample - 1, hit, drawn, c, &best);
   if (hit.sample + 1 < c.samples.size()) MoveTowards(hit.sample + 1, hit, drawn, c, &best);
   return best;
@@ -93,7 +122,7 @@ bool SameReading(const Reading& r, const Reading& s) {
          (near(r.world.a, s.world.b) && near(r.world.b, s.world.a));
 }
 
-std::vector<Reading> Choose(const std::vector<Hit>& hits, const Segment2& drawn,
+std::vector<Reading> Choose(const std::vector<Hit>& hits, const Drawn& drawn,
                             const Candidates& candidates, int most_per_operation) {
   std::vector<Reading> chosen;
   std::map<const grammar::Operation*, int> count;
@@ -124,7 +153,8 @@ Result<WorldLine> Lift(const Segment2& drawn, const Candidates& candidates, cons
   const double length_px = glm::distance(drawn.a, drawn.b);
   const double radius = parameters.radius_px + parameters.radius_relative * length_px;
   const double greatest = -std::log(parameters.least_fitness) * radius * radius;
-  const std::vector<Hit> hits = HitsWithin(greatest, drawn, candidates);
+  const Drawn sought{drawn, radius * radius};  // a fitness of 1/e
+  const std::vector<Hit> hits = HitsWithin(greatest, sought, candidates);
   if (hits.empty()) {
     return Fail(ErrorCode::kNoFit, "no operation on this shape makes an edge near the drawn line",
                 "start or end the line at a corner or an edge of the shape");
@@ -132,9 +162,9 @@ Result<WorldLine> Lift(const Segment2& drawn, const Candidates& candidates, cons
   WorldLine line;
   line.drawn = drawn;
   line.camera = camera;
-  for (const Reading& r : Choose(hits, drawn, candidates, parameters.most_per_operation)) {
+  for (const Reading& r : Choose(hits, sought, candidates, parameters.most_per_operation)) {
     const double fitness = std::exp(-r.squared_px / (radius * radius));  // (6.13)
-    line.alternatives.push_back({r.world, fitness, r.operation});
+    line.alternatives.push_back({r.world, fitness, r.operation, r.free_ends});
   }
   line.world = line.alternatives.front().world;
   line.fitness = line.alternatives.front().fitness;

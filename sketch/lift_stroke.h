@@ -15,6 +15,7 @@ namespace parti::sketch {
 struct LiftedStroke {
   std::vector<WorldLine> lines;  ///< n >= 1
   int lost_lines = 0;            ///< lines of the reading near which nothing can be made
+  double lost_px = 0;            ///< their length
   double worth = 0;  ///< how much likelier it is drawn for its candidates than for nothing [nat]
   double price = 0;  ///< of the reading [nat]
 };

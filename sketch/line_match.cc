@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "sketch/made_edges.h"
+
 namespace parti::sketch {
 namespace {
 
@@ -17,8 +19,8 @@ double DampedProduct(const Vec2& off_a, const Vec2& off_b, double scale) {
   return (1 + Squared(off_a) * scale) * (1 + Squared(off_b) * scale);
 }
 
-LineMatch BestEdge(const SketchedLines::Line& line,
-                   const std::vector<std::optional<Segment2>>& screen, double outlier) {
+LineMatch BestWhole(const SketchedLines::Line& line,
+                    const std::vector<std::optional<Segment2>>& screen, double outlier) {
   const double variance = line.deviation_px * line.deviation_px;
   const double c = outlier * outlier;
   LineMatch best;
@@ -38,7 +40,62 @@ LineMatch BestEdge(const SketchedLines::Line& line,
   return best;
 }
 
+struct End {
+  Vec2 off;
+  double error;  // with its price twice
+  double price;
+};
+
+// The end where the edge ends, or wherever it lies along the edge, if that costs less.
+End BestEnd(const Vec2& drawn, const Vec2& whole, const Segment2& edge, double variance, double c2,
+            double price) {
+  const auto damped = [&](const Vec2& off) {
+    return c2 * std::log1p(Squared(off) / variance / c2);
+  };
+  const End fixed{whole - drawn, damped(whole - drawn), 0};
+  if (fixed.error <= 2 * price) return fixed;
+  const Vec2 along = edge.b - edge.a;
+  const double t = glm::dot(drawn - edge.a, along) / Squared(along);
+  if (!(t > 0 && t < 1)) return fixed;
+  const Vec2 off = edge.a + along * t - drawn;
+  const double error = damped(off) + 2 * price;
+  return error < fixed.error ? End{off, error, price} : fixed;
+}
+
+// As BestWhole, where lines may be parts of edges on the item, or left over.
+LineMatch BestPart(const SketchedLines::Line& line,
+                   const std::vector<std::optional<Segment2>>& screen,
+                   const std::vector<bool>& on_item, const PartParameters& parts, double outlier) {
+  const double variance = line.deviation_px * line.deviation_px;
+  LineMatch best = BestWhole(line, screen, outlier);
+  for (size_t i = 0; i < screen.size(); ++i) {
+    if (!screen[i] || !on_item[i]) continue;
+    for (const bool flipped : {false, true}) {
+      const Segment2& edge = *screen[i];
+      const End a = BestEnd(line.drawn.a, flipped ? edge.b : edge.a, edge, variance,
+                            outlier * outlier, parts.free_end);
+      const End b = BestEnd(line.drawn.b, flipped ? edge.a : edge.b, edge, variance,
+                            outlier * outlier, parts.free_end);
+      if (a.error + b.error >= best.error) continue;
+      best = {static_cast<int>(i), a.off, b.off, a.error + b.error, a.price + b.price};
+    }
+  }
+  if (best.error <= 2 * parts.left_over) return best;
+  return {-1, {}, {}, 2 * parts.left_over, parts.left_over, true};
+}
+
 }  // namespace
+
+SketchedLines::SketchedLines(const Configuration& configuration, const PenNoise& noise,
+                             const PartParameters& parts, const MadeEdges& made)
+    : SketchedLines(configuration, noise) {
+  parts_ = parts;
+  made_ = &made;
+}
+
+bool SketchedLines::MayBeDrawnInPart(const Segment3& edge) const {
+  return parts_.allowed && made_ != nullptr && made_->IsOnItem(edge);
+}
 
 SketchedLines::SketchedLines(const Configuration& configuration, const PenNoise& noise) {
   for (const WorldLine& line : configuration.lines) {
@@ -70,11 +127,18 @@ Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges,
     screen.reserve(edges.size());
     for (const Segment3& edge : edges) screen.push_back(view.Project(edge));
   }
+  std::vector<bool> on_item;
+  if (lines.parts().allowed) {
+    for (const Segment3& edge : edges) on_item.push_back(lines.MayBeDrawnInPart(edge));
+  }
   Match match;
   for (const SketchedLines::Line& line : lines.lines()) {
     const auto& screen = screens[static_cast<size_t>(line.view)];
-    match.lines.push_back(BestEdge(line, screen, outlier));
+    match.lines.push_back(lines.parts().allowed
+                              ? BestPart(line, screen, on_item, lines.parts(), outlier)
+                              : BestWhole(line, screen, outlier));
     match.error += match.lines.back().error;
+    match.explained += match.lines.back().left_over ? 0 : 1;
   }
   return match;
 }
@@ -82,10 +146,13 @@ Match MatchLines(const SketchedLines& lines, const std::vector<Segment3>& edges,
 double MeanEndDistance_px(const Match& match) {
   double sum = 0;
   for (const LineMatch& line : match.lines) {
+    if (line.left_over) continue;
     if (line.edge < 0) return std::numeric_limits<double>::infinity();
     sum += Squared(line.off_a) + Squared(line.off_b);
   }
-  return match.lines.empty() ? 0 : std::sqrt(sum / (2.0 * static_cast<double>(match.lines.size())));
+  if (match.lines.empty()) return 0;
+  if (match.explained == 0) return std::numeric_limits<double>::infinity();
+  return std::sqrt(sum / (2.0 * static_cast<double>(match.explained)));
 }
 
 }  // namespace parti::sketch

@@ -63,6 +63,17 @@ bool MadeEdges::LiesOnItem(const Segment3& edge) const {
   });
 }
 
+bool MadeEdges::IsOnItem(const Segment3& edge) const {
+  if (!grammar::IsFlat(item_->type)) return true;
+  const auto within = [&](const Vec3& world) {
+    const Vec3 p = item_->scope.ToLocal(world);
+    const Vec3& size = item_->scope.size;
+    return std::abs(p.z) <= tolerance_m_ && p.x >= -tolerance_m_ && p.y >= -tolerance_m_ &&
+           p.x <= size.x + tolerance_m_ && p.y <= size.y + tolerance_m_;
+  };
+  return within(edge.a) && within(edge.b);
+}
+
 Result<std::vector<Segment3>> MadeEdges::Of(const grammar::Action& action, bool distinct) const {
   auto all = AllEdges(action, *item_);
   if (!all) return Fail(all);

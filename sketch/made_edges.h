@@ -24,6 +24,10 @@ class MadeEdges {
   /// errors  those of AllEdges.
   Result<std::vector<Segment3>> Of(const grammar::Action& action, bool distinct = false) const;
 
+  /// Whether the edge lies on the item: on a planar item in its plane and within its scope; always
+  /// for volumes, which operations only divide.
+  bool IsOnItem(const Segment3& edge) const;
+
   const grammar::Item& item() const { return *item_; }
   double diagonal_m() const { return diagonal_m_; }
   const std::vector<Segment3>& item_edges() const { return item_edges_; }

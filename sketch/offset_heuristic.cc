@@ -78,6 +78,7 @@ std::vector<Hypothesis> OffsetHeuristic(const Configuration& configuration,
   for (const WorldLine& line : configuration.lines) {
     distances.push_back(DistancesOf(line, outline));
   }
+  if (parameters.partly) std::erase_if(distances, [](const auto& d) { return d.empty(); });
   std::vector<Hypothesis> hypotheses;
   for (const double inward : AgreedValues(distances, near_m / 2, parameters.most_starts)) {
     Hypothesis hypothesis{OffsetAction(*offset, -inward)};  // CGA's sign: negative is inward

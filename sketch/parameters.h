@@ -41,6 +41,25 @@ struct LineParameters {
   int most_polygon_lines = 12;  ///< more lines than that are a scribble
 };
 
+/// Lines that are only a part of an edge, and lines that an operation leaves to a later one.
+/// Allowed where whole edges leave a line unexplained (suggestion.h, Generous).
+struct PartParameters {
+  bool allowed = false;
+  /// Price of an end that lies along an edge and not at its end [nat]: the log of the number of
+  /// places, a few deviations long, where it could lie on an edge of some hundred pixels.
+  double free_end = 4;
+  /// Price of a line that the operation leaves over [nat]: as TargetParameters::lost_line.
+  double left_over = 20;
+  /// A line that the best suggestion explains worse than this is not explained [nat]: both its ends
+  /// six deviations off.
+  double unexplained = 14;
+  /// Lost lines shorter than this share of those that were found are slips of the pen.
+  double slip = 0.2;
+  /// By how much a reading with parts must be worth more than one without [nat]: more than one line
+  /// is worth (LiftParameters::line_worth), so that careless lines are read as whole edges.
+  double least_gain = 12;
+};
+
 /// Sampling the operation table (6.10, 6.11, errata 17, 17a).
 struct CandidateParameters {
   /// Consecutive samples of an operation lie about this far apart on the screen. The thesis takes
@@ -53,6 +72,7 @@ struct CandidateParameters {
   /// this share of the item's diagonal, which would repeat it finer than anyone draws.
   int most_lengths = 96;
   double finest = 0.005;
+  bool parts = false;  ///< which edges lie on the item is found out: those may be drawn in part
 };
 
 /// From a drawn line to lines in the world (6.12, 6.13).
@@ -80,6 +100,7 @@ struct HeuristicParameters {
   double plane_relative = 0.02;    ///< lines this near along the axis are one split plane
   double equal_relative = 0.05;    ///< sizes this alike may be meant equal; of the whole (6.5.3)
   double repeat_deviation = 0.35;  ///< deviation / mean of sizes that may be a repeat (errata 21)
+  bool partly = false;             ///< lines that say nothing about the operation are left over
   int most_starts = 4;             ///< values tried where readings of the lines disagree
   // Prices of rarer meanings, in nats (Hypothesis::price).
   double inward_extrude = 2;   ///< an extrusion into the item
@@ -122,6 +143,7 @@ struct SketchParameters {
   PenNoise noise;
   LineParameters lines;
   CandidateParameters candidates;
+  PartParameters parts;
   LiftParameters lift;
   HeuristicParameters heuristics;
   DescentParameters descent;

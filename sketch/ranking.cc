@@ -49,7 +49,7 @@ bool IsAnotherValue(const Suggestion& best, Suggestion other, double diagonal_m,
 
 double LogEvidence(const Adjusted& adjusted, size_t edges) {
   const double choices = std::log(static_cast<double>(std::max<size_t>(edges, 1)));
-  return -adjusted.match.error / 2 - choices * static_cast<double>(adjusted.match.lines.size()) -
+  return -adjusted.match.error / 2 - choices * static_cast<double>(adjusted.match.explained) -
          adjusted.sharpness - adjusted.hypothesis.price;
 }
 
@@ -60,6 +60,7 @@ double SpacingCredit(const Adjusted& adjusted, const SketchedLines& lines,
   for (size_t i = 0; i < adjusted.match.lines.size(); ++i) {
     const SketchedLines::Line& line = lines.lines()[i];
     const LineMatch& match = adjusted.match.lines[i];
+    if (match.left_over) continue;
     const auto along =
         lines.views()[static_cast<size_t>(line.view)].Project(*adjusted.hypothesis.spaced_along);
     if (!along || along->a == along->b) continue;
@@ -71,7 +72,7 @@ double SpacingCredit(const Adjusted& adjusted, const SketchedLines& lines,
     const Vec2 axis = glm::normalize(along->b - along->a);
     const Vec2 even = axis * (glm::dot((match.off_a + match.off_b) / 2.0, axis) * (1 - share));
     const double left = LineError(match.off_a - even, match.off_b - even, line, outlier);
-    credit += (match.error - left) / 2 + std::log(share);
+    credit += (match.error - left) / 2 - match.price + std::log(share);
   }
   return credit;
 }

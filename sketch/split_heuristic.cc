@@ -167,8 +167,8 @@ void AddAlong(const SplitAxis& axis, const Configuration& configuration,
   std::vector<double> cuts;
   for (const WorldLine& line : configuration.lines) {
     const auto cut = CutOf(line, axis);
-    if (!cut) return;
-    cuts.push_back(*cut);
+    if (!cut && !axis.parameters.partly) return;
+    if (cut) cuts.push_back(*cut);
   }
   if (cuts.empty()) return;
   const std::vector<double> planes =

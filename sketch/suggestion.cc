@@ -26,8 +26,8 @@ constexpr const char* kDrawEdges = "draw one or more edges of what the operation
 struct Sketch {
   const Configuration* configuration;
   const grammar::Item* item;
-  MadeEdges made;
-  SketchedLines lines;
+  const MadeEdges& made;
+  const SketchedLines& lines;
   Match traced;  ///< the lines against the item's own edges
   const SketchParameters* parameters;
 };
@@ -72,6 +72,9 @@ std::optional<Suggestion> Judge(const Hypothesis& hypothesis, const Sketch& sket
                      SpacingCredit(*adjusted, sketch.lines, sketch.parameters->ranking,
                                    sketch.parameters->descent.outlier_deviations);
   suggestion.by_heuristic = hypothesis.by_heuristic;
+  for (const LineMatch& line : adjusted->match.lines) {
+    suggestion.worst_line = std::max(suggestion.worst_line, line.error / 2);
+  }
   suggestion.action = std::move(adjusted->hypothesis.action);
   NameProducts(*sketch.item, hypothesis.equal, &suggestion.action);
   return suggestion;
@@ -88,9 +91,12 @@ void JudgeAll(const std::vector<Hypothesis>& hypotheses, const Sketch& sketch,
 Result<std::vector<Suggestion>> SuggestWith(const Configuration& configuration,
                                             const grammar::Item& item, const Candidates& candidates,
                                             const SketchParameters& parameters) {
-  Sketch sketch{
-      &configuration, &item, MadeEdges(item), SketchedLines(configuration, parameters.noise), {},
-      &parameters};
+  const MadeEdges made(item);
+  const SketchedLines lines =
+      parameters.parts.allowed
+          ? SketchedLines(configuration, parameters.noise, parameters.parts, made)
+          : SketchedLines(configuration, parameters.noise);
+  Sketch sketch{&configuration, &item, made, lines, {}, &parameters};
   sketch.traced =
       MatchLines(sketch.lines, sketch.made.item_edges(), parameters.descent.outlier_deviations);
   std::vector<Suggestion> suggestions;
@@ -118,13 +124,19 @@ Result<void> CheckItem(const grammar::Item& item) {
               "draw on a shape that has an area");
 }
 
+double LengthOf(const StrokeReading& reading) {
+  double length_px = 0;
+  for (const Segment2& line : reading.lines) length_px += glm::distance(line.a, line.b);
+  return length_px;
+}
+
 using LiftedStrokes = std::vector<std::vector<LiftedStroke>>;
 
 // Every stroke's readings in the world; strokes that find no candidate are counted as lost.
 // errors  kNoFit  none finds any.
 Result<LiftedStrokes> LiftAll(const std::vector<std::vector<StrokeReading>>& strokes,
                               const Candidates& candidates, const Camera& camera,
-                              const SketchParameters& parameters, int* lost) {
+                              const SketchParameters& parameters, SketchReading* lost) {
   LiftedStrokes all;
   Error last{ErrorCode::kTooShort, kNoLine, kDrawEdges};
   for (const std::vector<StrokeReading>& stroke : strokes) {
@@ -133,7 +145,8 @@ Result<LiftedStrokes> LiftAll(const std::vector<std::vector<StrokeReading>>& str
       all.push_back(std::move(*lifted));
     } else {
       last = lifted.error();
-      ++*lost;
+      ++lost->lost_lines;
+      lost->lost_px += LengthOf(stroke.front());
     }
   }
   if (all.empty()) return tl::unexpected<Error>(last);
@@ -165,14 +178,14 @@ std::vector<std::vector<size_t>> Choices(const LiftedStrokes& strokes,
   return choices;
 }
 
-SketchReading Chosen(const LiftedStrokes& strokes, const std::vector<size_t>& choice, int lost,
-                     const LiftParameters& parameters) {
-  SketchReading reading;
-  reading.lost_lines = lost;
+// The chosen reading of each stroke, added to what was lost.
+SketchReading Chosen(const LiftedStrokes& strokes, const std::vector<size_t>& choice,
+                     SketchReading reading, const LiftParameters& parameters) {
   for (size_t i = 0; i < strokes.size(); ++i) {
     const LiftedStroke& stroke = strokes[i][choice[i]];
     std::ranges::copy(stroke.lines, std::back_inserter(reading.configuration.lines));
     reading.lost_lines += stroke.lost_lines;
+    reading.lost_px += stroke.lost_px;
     reading.worth += parameters.line_worth * static_cast<double>(stroke.lines.size());
     reading.worth -= stroke.price;
   }
@@ -186,7 +199,37 @@ Result<Candidates> CandidatesFor(const grammar::Item& item, const Camera& camera
   return CandidatesOf(item, View(camera), parameters.candidates);
 }
 
+using Strokes = std::vector<std::vector<StrokeReading>>;
+
+// The first reading where it explains every line, or about as much as the generous one.
+Result<SketchReading> ReadTwice(const Strokes& strokes, const grammar::Item& item,
+                                const Camera& camera, const SketchParameters& parameters) {
+  auto first = ReadSketch(strokes, item, camera, parameters);
+  if (first && ExplainsAll(*first, parameters.parts)) return first;
+  if (!first && first.error().code != ErrorCode::kNoFit) return first;
+  auto second = ReadSketch(strokes, item, camera, Generous(parameters));
+  if (!second) return first;
+  const bool better = !first || second->worth > first->worth + parameters.parts.least_gain;
+  return better ? second : first;
+}
+
 }  // namespace
+
+SketchParameters Generous(SketchParameters parameters) {
+  parameters.parts.allowed = true;
+  parameters.candidates.parts = true;
+  parameters.heuristics.partly = true;
+  return parameters;
+}
+
+bool ExplainsAll(const SketchReading& reading, const PartParameters& parameters) {
+  double found_px = 0;
+  for (const WorldLine& line : reading.configuration.lines) {
+    found_px += glm::distance(line.drawn.a, line.drawn.b);
+  }
+  return reading.lost_px <= parameters.slip * found_px &&
+         reading.suggestions.front().worst_line < parameters.unexplained;
+}
 
 Result<std::vector<WorldLine>> LiftStroke(const Stroke& stroke, const grammar::Item& item,
                                           const Camera& camera,
@@ -219,7 +262,7 @@ Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& 
   }
   const auto candidates = CandidatesFor(item, camera, parameters);
   if (!candidates) return Fail(candidates);
-  int lost = 0;
+  SketchReading lost;
   const auto lifted = LiftAll(strokes, *candidates, camera, parameters, &lost);
   if (!lifted) return Fail(lifted);
   Result<SketchReading> best = Fail(ErrorCode::kNoFit, "the sketch has no reading");
@@ -242,7 +285,7 @@ Result<std::vector<Suggestion>> SuggestFromStrokes(const std::vector<Stroke>& st
                                                    const SketchParameters& parameters) {
   const auto readings = ReadStrokes(strokes, parameters.segmentation, parameters.lines);
   if (!readings) return Fail(readings);
-  auto reading = ReadSketch(*readings, item, camera, parameters);
+  auto reading = ReadTwice(*readings, item, camera, parameters);
   if (!reading) return Fail(reading);
   return std::move(reading->suggestions);
 }

@@ -22,6 +22,7 @@ struct Suggestion {
   double error = 0;          ///< distance of drawn and projected line ends, per end [px], rms
   double score = 0;          ///< log evidence [nat]: what the list is ordered by, larger first
   bool by_heuristic = true;  ///< false: found by sampling
+  double worst_line = 0;     ///< what the line that it explains worst costs [nat]
 };
 
 /// Segments a stroke and lifts its lines: for each, the best of the candidate lines that the
@@ -47,16 +48,25 @@ Result<std::vector<Suggestion>> SuggestFromStrokes(const std::vector<Stroke>& st
                                                    const grammar::Item& item, const Camera& camera,
                                                    const SketchParameters& parameters = {});
 
+/// Parameters for a second reading, where whole edges leave a line unexplained: lines on the item
+/// may be parts of edges, and lines may be left over for a later operation. At a price, so that
+/// what whole edges explain is read as before.
+SketchParameters Generous(SketchParameters parameters);
+
 /// What a sketch in one view reads as on one item.
 struct SketchReading {
   Configuration configuration;          ///< the lines that could be lifted
   int lost_lines = 0;                   ///< drawn lines near which nothing can be made
+  double lost_px = 0;                   ///< their length
   double worth = 0;                     ///< log evidence of the best against no meaning [nat]
   std::vector<Suggestion> suggestions;  ///< n >= 1, best first
 };
 
-/// As SuggestFromStrokes, for strokes that ReadStrokes has read, with all that is known: for
-/// choosing between items.
+/// Whether the best suggestion explains every line but for hooks and other slips of the pen.
+bool ExplainsAll(const SketchReading& reading, const PartParameters& parameters = {});
+
+/// As SuggestFromStrokes, for strokes that ReadStrokes has read, with all that is known, and
+/// with these parameters only: for choosing between items.
 /// errors  those of LiftStroke and Suggest;  kLimitReached  more than most_strokes strokes.
 Result<SketchReading> ReadSketch(const std::vector<std::vector<StrokeReading>>& strokes,
                                  const grammar::Item& item, const Camera& camera,

@@ -111,6 +111,45 @@ std::vector<Vec2> LikeliestEnds(const std::vector<std::vector<StrokeReading>>& s
   return ends;
 }
 
+// A shape that may be meant, and the share of it that others hide.
+struct Shown {
+  size_t item;
+  double hidden;
+};
+
+// Those of the shortlist that can be seen.
+std::vector<Shown> ThoseShown(const std::vector<Nearness>& shortlist,
+                              const std::vector<Facet>& facets, const View& view,
+                              const TargetParameters& target) {
+  std::vector<Shown> shown;
+  int checked = 0;
+  for (const Nearness& candidate : shortlist) {
+    const int compared = static_cast<int>(shown.size());
+    if (compared == target.most_compared || ++checked > target.most_checked) break;
+    const double hidden = HiddenShare(candidate.item, facets, view);
+    if (hidden < 1) shown.push_back({candidate.item, hidden});
+  }
+  return shown;
+}
+
+// The sketch read on each of the items, best first.
+std::vector<RankedTarget> ReadOnAll(const std::vector<std::vector<StrokeReading>>& readings,
+                                    const std::vector<Shown>& shown,
+                                    std::span<const grammar::Item> items, const Camera& camera,
+                                    const SketchParameters& parameters,
+                                    const TargetParameters& target) {
+  std::vector<RankedTarget> ranked;
+  for (const auto& [item, hidden] : shown) {
+    auto reading = ReadSketch(readings, items[item], camera, parameters);
+    if (!reading) continue;
+    const double score =
+        reading->worth - target.hidden * hidden - target.lost_line * reading->lost_lines;
+    ranked.push_back({item, score, hidden, std::move(*reading)});
+  }
+  std::ranges::stable_sort(ranked, std::greater<>(), &RankedTarget::score);
+  return ranked;
+}
+
 }  // namespace
 
 Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes,
@@ -125,25 +164,20 @@ Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes
   const View view(camera);
   const std::vector<size_t> near = ItemsNear(ends, items, view, target.reach_px);
   const std::vector<Facet> facets = FacetsOf(items, near);
-  std::vector<RankedTarget> ranked;
-  int checked = 0, compared = 0;
-  for (const Nearness& candidate : Shortlist(ends, items, near, facets, view, target)) {
-    if (compared == target.most_compared || ++checked > target.most_checked) break;
-    const double hidden = HiddenShare(candidate.item, facets, view);
-    if (hidden >= 1) continue;
-    ++compared;
-    auto reading = ReadSketch(*readings, items[candidate.item], camera, parameters);
-    if (!reading) continue;
-    const double score =
-        reading->worth - target.hidden * hidden - target.lost_line * reading->lost_lines;
-    ranked.push_back({candidate.item, score, hidden, std::move(*reading)});
+  const std::vector<Shown> shown =
+      ThoseShown(Shortlist(ends, items, near, facets, view, target), facets, view, target);
+  auto ranked = ReadOnAll(*readings, shown, items, camera, parameters, target);
+  if (ranked.empty() || !ExplainsAll(ranked.front().reading, parameters.parts)) {
+    auto generous = ReadOnAll(*readings, shown, items, camera, Generous(parameters), target);
+    const bool better = !generous.empty() &&
+                        (ranked.empty() || generous.front().score >
+                                               ranked.front().score + parameters.parts.least_gain);
+    if (better) ranked = std::move(generous);
   }
   if (ranked.empty()) {
     return Fail(ErrorCode::kNoFit, "the sketch fits none of the shapes that can be seen",
                 "start or end a line at a corner or an edge of the shape that is meant");
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const RankedTarget& a, const RankedTarget& b) { return a.score > b.score; });
   return ranked;
 }
 

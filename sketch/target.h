@@ -34,6 +34,7 @@ struct RankedTarget {
 /// items    the visible leaves, or whatever may be drawn on; in the world.
 /// returns  n >= 1 targets, best first; equally good ones in the order given.
 /// errors   kNoFit  the sketch fits none of them;  kTooShort  no line;  kBadNumber  the camera.
+/// Where whole edges of no shape explain every line, all are read once more, generously.
 /// Cost: linear in the items on the screen, plus most_compared times ReadSketch.
 Result<std::vector<RankedTarget>> RankTargets(const std::vector<Stroke>& strokes,
                                               const Camera& camera,

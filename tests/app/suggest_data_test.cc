@@ -63,5 +63,18 @@ TEST(RealSketches, AreSolvedAsOftenAsTheDocumentsSay) {
   for (const auto& [kind, solved] : table) EXPECT_GE(solved.three, 85) << kind;
 }
 
+TEST(RealSketches, AreNeverAnError) {
+  PARTI_NEED_DATA(strokes, "strokes/unistrokes-dev.jsonl");
+  const auto tool = std::filesystem::path(strokes).parent_path() / "../../tools/sketchbench.py";
+  if (!std::filesystem::exists(tool)) GTEST_SKIP() << "no sketchbench.py beside the data";
+  const std::string tasks = tests::TestFolder() + "/tasks.jsonl";
+  // One of seed 1 is a portal of which the pen drew the far side 20 px off.
+  std::ofstream(tasks) << OutputOf("python3 '" + tool.lexically_normal().string() + "' make '" +
+                                   strokes + "' --seed 1 --count 400");
+  const tests::ProgramRun run = tests::RunParti({"suggest", "--batch", tasks});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output.find("\"error\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace parti::app

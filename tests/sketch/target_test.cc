@@ -50,6 +50,24 @@ TEST(RankTargets, LinesAcrossAFacadeMeanThatFacade) {
   EXPECT_EQ(TargetOf(strokes, house.Items()), 0u);
 }
 
+TEST(RankTargets, ALineFromInsideAFacadeToItsEdgeMeansThatFacade) {
+  const House house;
+  const auto up =
+      Draw({At(house.south, 8, 4), At(house.south, 8, 9)}, tests::HouseCamera(), kShaky_px);
+  EXPECT_EQ(TargetOf({up}, house.Items()), 0u);
+  const auto down =
+      Draw({At(house.east, 5, 5), At(house.east, 5, 0)}, tests::HouseCamera(), kShaky_px);
+  EXPECT_EQ(TargetOf({down}, house.Items()), 1u);
+}
+
+TEST(RankTargets, ADoorOnAFacadeMeansThatFacade) {
+  const House house;
+  const auto door = Draw({At(house.south, 9, 0), At(house.south, 9, 3), At(house.south, 11, 3),
+                          At(house.south, 11, 0)},
+                         tests::HouseCamera(), kShaky_px);
+  EXPECT_EQ(TargetOf({door}, house.Items()), 0u);
+}
+
 TEST(RankTargets, LinesAcrossAFacadeMeanTheFacadeNotItsParent) {
   const House house;
   grammar::Item mass;
