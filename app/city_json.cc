@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/footprint.h"
+#include "app/lot_values.h"
 #include "grammar/polygon.h"
 
 namespace parti::app {
@@ -207,13 +208,29 @@ bool IsBuilding(const Json& object) {
   return type == "Building" || type == "BuildingPart";
 }
 
+/// What the file says of an object, and, where it is a part, of its buildings: many files have the
+/// attributes of a building there alone. Its own come first.
+Json AttributesOf(const Json& objects, const Json& object) {
+  Json all = Json::object();
+  const auto add = [&all](const Json& attributes) {
+    if (attributes.is_object()) all.insert(attributes.begin(), attributes.end());
+  };
+  add(At(object, "attributes"));
+  for (const Json& parent : At(object, "parents")) {
+    if (parent.is_string()) add(At(At(objects, parent.get<std::string>().c_str()), "attributes"));
+  }
+  return all;
+}
+
 Result<std::vector<Footprint>> ObjectFootprints(const City& city, const std::string& name,
-                                                const Json& object) {
+                                                const Json& objects) {
+  const Json& object = objects[name];
   const Json& geometry = SurfacesOf(object);
   if ((!IsBuilding(object) && At(object, "type") != "LandUse") || geometry.is_null()) {
     return std::vector<Footprint>();
   }
-  const auto street = StreetIn(At(object, "attributes"), name);
+  const Json attributes = AttributesOf(objects, object);
+  const auto street = StreetIn(attributes, name);
   if (!street) return Fail(street);
   const Json& semantics = At(geometry, "semantics");
   std::vector<Surface> surfaces;
@@ -225,7 +242,8 @@ Result<std::vector<Footprint>> ObjectFootprints(const City& city, const std::str
     return tl::unexpected<Error>(std::move(error));
   }
   const auto ground = IsBuilding(object) ? GroundOf(city, surfaces) : surfaces;
-  return FootprintsOf(city, BordersOf(ground), {name, {}, LowestOf(city, surfaces), *street});
+  return FootprintsOf(city, BordersOf(ground),
+                      {name, {}, LowestOf(city, surfaces), *street, PropertiesIn(attributes)});
 }
 
 /// A point inside, in the middle of the largest triangle; nothing for what is no polygon.
@@ -273,25 +291,27 @@ bool IsOnItsBuilding(const Footprint& footprint, const Json& object, const Groun
 
 }  // namespace
 
-Result<std::vector<Footprint>> CityJsonFootprints(const Json& json, const Json& transform) {
+Result<void> AddCityJson(const Json& json, const Json& transform, FootprintList* lots) {
   const auto city = VerticesFrom(json, transform);
   if (!city) return Fail(city);
   const Json& objects = At(json, "CityObjects");
   if (!objects.is_object()) return tl::unexpected<Error>(Malformed("no CityObjects"));
   Grounds grounds;
   for (const auto& [name, object] : objects.items()) {
-    auto footprints = ObjectFootprints(*city, name, object);
-    if (!footprints) return footprints;
-    grounds.emplace(name, std::move(*footprints));
+    auto footprints = ObjectFootprints(*city, name, objects);
+    if (footprints) {
+      grounds.emplace(name, std::move(*footprints));
+    } else if (auto added = lots->Add(Fail(footprints)); !added) {
+      return added;
+    }
   }
-  std::vector<Footprint> all;
   for (const auto& [name, footprints] : grounds) {
-    std::copy_if(footprints.begin(), footprints.end(), std::back_inserter(all),
-                 [&, &object = objects[name]](const Footprint& footprint) {
-                   return !IsOnItsBuilding(footprint, object, grounds);
-                 });
+    for (const Footprint& footprint : footprints) {
+      if (IsOnItsBuilding(footprint, objects[name], grounds)) continue;
+      if (auto added = lots->Add(footprint); !added) return added;
+    }
   }
-  return all;
+  return {};
 }
 
 }  // namespace parti::app

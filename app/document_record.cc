@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "app/document_values.h"
+#include "app/lot_values.h"
 #include "base/json.h"
 
 namespace parti::app {
@@ -139,6 +140,7 @@ std::string LotsText(const std::vector<Lot>& lots) {
     list.push_back({{"name", lot.name},
                     {"item", Json::parse(JsonOf(lot.item))},
                     {"origin", {lot.origin.x, lot.origin.y}}});
+    if (!lot.properties.empty()) list.back()["properties"] = JsonOf(lot.properties);
   }
   return Dumped(list);
 }
@@ -163,7 +165,10 @@ Result<std::vector<Lot>> LotsFrom(std::string_view text) {
     if (!y) return Fail(y);
     const auto name = entry.find("name");
     const bool named = name != entry.end() && name->is_string();
-    lots.push_back({named ? name->get<std::string>() : "Lot", std::move(*item), {*x, *y}});
+    lots.push_back({named ? name->get<std::string>() : "Lot",
+                    std::move(*item),
+                    {*x, *y},
+                    PropertiesIn(entry.value("properties", Json()))});
   }
   return lots;
 }

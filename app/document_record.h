@@ -13,7 +13,7 @@
 
 namespace parti::app {
 
-/// [{"name","item","origin"}, …]: every double exact.
+/// [{"name","item","origin","properties" (absent: none)}, …]: every double exact.
 std::string LotsText(const std::vector<Lot>& lots);
 /// errors  kBadText and those of PlanarItemFrom.
 Result<std::vector<Lot>> LotsFrom(std::string_view text);

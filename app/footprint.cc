@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/lot_values.h"
+
 namespace parti::app {
 namespace {
 
@@ -58,7 +60,8 @@ Result<void> CheckMetres(const Footprints& footprints) {
 /// Takes in one JSON value after the other: a file's only one, or those of its lines.
 class Reader {
  public:
-  explicit Reader(std::string_view file) : file_(file) {}
+  Reader(std::string_view file, std::vector<Error>* refused)
+      : file_(file), refused_(refused), footprints_(refused) {}
 
   /// `name` is for a lot that has none of its own.
   Result<void> Add(const Json& value, std::string name) {
@@ -74,14 +77,20 @@ class Reader {
   }
 
   Result<Footprints> Finish() && {
-    if (footprints_.empty()) {
+    Footprints all = std::move(footprints_).Take();
+    if (all.empty() && refused_ != nullptr && !refused_->empty()) {
+      Error error = refused_->front();
+      error.message = fmt::format("{}: {}", file_, error.message);
+      return tl::unexpected<Error>(std::move(error));
+    }
+    if (all.empty()) {
       return Fail(ErrorCode::kNothingMade, fmt::format("{} holds no lots", file_),
                   "polygons of GeoJSON and buildings of CityJSON are lots");
     }
     if (is_geo_json_) {
-      if (const auto metres = CheckMetres(footprints_); !metres) return Fail(metres);
+      if (const auto metres = CheckMetres(all); !metres) return Fail(metres);
     }
-    return std::move(footprints_);
+    return all;
   }
 
  private:
@@ -91,11 +100,13 @@ class Reader {
       if (id->is_number()) name = id->dump();
     }
     const auto street = StreetIn(value, name);
-    if (!street) return Fail(street);
+    if (!street) return footprints_.Add(Fail(street));
     auto rings = RingsFrom(value["rings"], name);
-    if (!rings) return Fail(rings);
-    footprints_.push_back({std::move(name), std::move(*rings), 0, *street});
-    return {};
+    if (!rings) return footprints_.Add(Fail(rings));
+    LotProperties properties = PropertiesIn(value);
+    std::erase_if(properties, [](const LotProperty& one) { return one.name == "rings"; });
+    return footprints_.Add(
+        Footprint{std::move(name), std::move(*rings), 0, *street, std::move(properties)});
   }
 
   /// The first line of a CityJSONSeq is a CityJSON object that has what its features share.
@@ -107,14 +118,12 @@ class Reader {
       return Fail(ErrorCode::kBadText, "a CityJSONFeature stands before any CityJSON object",
                   "the first line of a CityJSONSeq says how vertices are placed");
     }
-    auto city = CityJsonFootprints(value, transform_);
-    if (!city) return Fail(city);
-    std::move(city->begin(), city->end(), std::back_inserter(footprints_));
-    return {};
+    return AddCityJson(value, transform_, &footprints_);
   }
 
   std::string_view file_;
-  Footprints footprints_;
+  std::vector<Error>* refused_;
+  FootprintList footprints_;
   Json transform_;
   bool has_header_ = false, is_geo_json_ = false;
 };
@@ -205,8 +214,9 @@ Result<std::optional<double>> StreetIn(const Json& properties, std::string_view 
               "0: the street lies in the north, 90: in the east; from -360 to 360");
 }
 
-Result<Footprints> FootprintsFrom(std::string_view text, std::string_view file) {
-  Reader reader(file);
+Result<Footprints> FootprintsFrom(std::string_view text, std::string_view file,
+                                  std::vector<Error>* refused) {
+  Reader reader(file, refused);
   if (IsLines(text)) {
     if (const auto added = AddLines(text, file, &reader); !added) return Fail(added);
   } else {

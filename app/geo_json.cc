@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/footprint.h"
+#include "app/lot_values.h"
 
 namespace parti::app {
 namespace {
@@ -30,7 +31,7 @@ std::string NameIn(const Json& object, const char* key, std::string fallback) {
 /// Adds what a value holds. The name and the street are those of the feature around it.
 class Adder {
  public:
-  explicit Adder(std::vector<Footprint>* all) : all_(all) {}
+  explicit Adder(FootprintList* all) : all_(all) {}
 
   Result<void> Add(const Json& json, const Footprint& feature, int depth) {
     if (depth > kDeepest) return Fail(ErrorCode::kLimitReached, "GeoJSON nested too deep");
@@ -59,11 +60,12 @@ class Adder {
   Result<void> AddFeature(const Json& json, int depth) {
     const Json& properties = At(json, "properties");
     Footprint feature;
-    feature.name = NameIn(properties, "id", fmt::format("{}", all_->size()));
+    feature.name = NameIn(properties, "id", fmt::format("{}", all_->met()));
     feature.name = NameIn(json, "id", feature.name);
     const auto street = StreetIn(properties, feature.name);
-    if (!street) return Fail(street);
+    if (!street) return all_->Add(Fail(street));
     feature.street_deg = *street;
+    feature.properties = PropertiesIn(properties);
     return Add(At(json, "geometry"), feature, depth + 1);
   }
 
@@ -71,10 +73,10 @@ class Adder {
   Result<void> AddPolygon(const Json& coordinates, const Footprint& feature) {
     if (coordinates.is_array() && coordinates.empty()) return {};
     auto rings = RingsFrom(coordinates, feature.name);
-    if (!rings) return Fail(rings);
-    all_->push_back(feature);
-    all_->back().rings = std::move(*rings);
-    return {};
+    if (!rings) return all_->Add(Fail(rings));
+    Footprint lot = feature;
+    lot.rings = std::move(*rings);
+    return all_->Add(std::move(lot));
   }
 
   Result<void> AddPolygons(const Json& coordinates, const Footprint& feature) {
@@ -88,7 +90,7 @@ class Adder {
     return {};
   }
 
-  std::vector<Footprint>* all_;
+  FootprintList* all_;
 };
 
 }  // namespace
@@ -99,7 +101,7 @@ bool IsGeoJson(std::string_view type) {
   return std::find(std::begin(kKnown), std::end(kKnown), type) != std::end(kKnown);
 }
 
-Result<void> AddGeoJson(const Json& json, std::vector<Footprint>* footprints) {
+Result<void> AddGeoJson(const Json& json, FootprintList* footprints) {
   Footprint unnamed;
   unnamed.name = "0";
   return Adder(footprints).Add(json, unnamed, 0);

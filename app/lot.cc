@@ -120,29 +120,44 @@ Result<Lot> LotFrom(const Footprint& footprint, const Vec3& origin) {
     }
   }
   auto lot = LotFrom(rings, footprint.name, Vec2(origin));
-  if (lot && footprint.street_deg) lot->item.street_deg = static_cast<float>(*footprint.street_deg);
+  if (!lot) return lot;
+  if (footprint.street_deg) lot->item.street_deg = static_cast<float>(*footprint.street_deg);
+  lot->properties = footprint.properties;
   return lot;
+}
+
+/// Those that can be built on. The others are taken out of the footprints, and what is wrong with
+/// them is added to `bad`.
+std::vector<Lot> LotsAt(const Vec3& origin, std::string_view file,
+                        std::vector<Footprint>* footprints, std::vector<Error>* bad) {
+  std::vector<Lot> lots;
+  std::erase_if(*footprints, [&](const Footprint& footprint) {
+    auto lot = LotFrom(footprint, origin);
+    if (lot) {
+      lots.push_back(std::move(*lot));
+      return false;
+    }
+    Error& error = bad->emplace_back(lot.error());
+    error.message = fmt::format("{}: lot '{}': {}", file, footprint.name, error.message);
+    return true;
+  });
+  return lots;
 }
 
 }  // namespace
 
 Result<std::vector<Lot>> LotsFrom(std::string_view text, std::string_view file,
                                   std::vector<Error>* refused) {
-  const auto footprints = FootprintsFrom(text, file);
-  if (!footprints) return Fail(footprints);
-  const Vec3 origin = OriginOf(*footprints);
-  std::vector<Lot> lots;
   std::vector<Error> bad;
-  for (const Footprint& footprint : *footprints) {
-    auto lot = LotFrom(footprint, origin);
-    if (lot) {
-      lots.push_back(std::move(*lot));
-    } else {
-      Error& error = bad.emplace_back(lot.error());
-      error.message = fmt::format("{}: lot '{}': {}", file, footprint.name, error.message);
-    }
+  auto footprints = FootprintsFrom(text, file, refused != nullptr ? &bad : nullptr);
+  if (!footprints) return Fail(footprints);
+  for (Error& error : bad) error.message = fmt::format("{}: {}", file, error.message);
+  std::vector<Lot> lots;
+  for (size_t known = SIZE_MAX; known != bad.size() && !footprints->empty();) {
+    known = bad.size();  // once more without bad ones, as if they did not stand in the file
+    lots = LotsAt(OriginOf(*footprints), file, &*footprints, &bad);
   }
-  if (!bad.empty() && (refused == nullptr || lots.empty())) {
+  if (lots.empty() || (refused == nullptr && !bad.empty())) {
     return tl::unexpected<Error>(bad.front());
   }
   if (refused != nullptr) *refused = std::move(bad);

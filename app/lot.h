@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/lot_property.h"
 #include "base/error.h"
 #include "grammar/item.h"
 
@@ -16,6 +17,7 @@ struct Lot {
   std::string name;  ///< the file's id for it, else "Lot"
   grammar::Item item;
   Vec2 origin{0, 0};  ///< (east, north) of the world's origin in the file's coordinates; m
+  LotProperties properties = {};  ///< what the file says of it besides; rules take values of them
 };
 
 /// Lots are no wider than this; wider ones are in other units.

@@ -7,6 +7,8 @@
 
 #include "app/commands/commands.h"
 #include "app/document.h"
+#include "app/usable_lots.h"
+#include "base/note.h"
 #include "grammar/rules/rule_workers.h"
 
 namespace parti::app {
@@ -34,6 +36,7 @@ std::string OptionOfTexts(const ModelOptions& options) {
   if (!options.style.empty()) return "--style";
   if (!options.layers_off.empty()) return "--layers-off";
   if (options.seed != 0) return "--seed";
+  if (options.skip_bad_lots) return "--skip-bad-lots";
   return options.skip_unknown ? "--skip-unknown" : "";
 }
 
@@ -77,6 +80,17 @@ Result<void> AllowedSets(const grammar::RuleSet& rules, const grammar::RuleSetti
   return {};
 }
 
+void ShowSkipped(const UsedLots& used) {
+  const size_t skipped = used.skipped.size();
+  for (const Error& error : used.skipped) {
+    Error shown = error;
+    shown.message = "skipped " + shown.message;
+    fmt::print(stderr, "{}\n", FormatNote(shown));
+  }
+  if (skipped == 0) return;
+  fmt::print(stderr, "parti: skipped {} of {} lots\n", skipped, skipped + used.ground->lots.size());
+}
+
 tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& options,
                                                        const grammar::RuleThreads& threads) {
   if (threads.count != 1) grammar::BeginRuleWorkers();  // while the text is read
@@ -88,16 +102,13 @@ tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& optio
   if (const auto allowed = AllowedSets(*rules, source->settings); !allowed) {
     return Failed({allowed.error()});
   }
-  auto lots = ParseLots(options.lot.empty() ? kUsualLot : options.lot);
-  if (!lots) return Failed({lots.error()});
+  const std::string lot = options.lot.empty() ? std::string(kUsualLot) : options.lot;
+  auto used = UseLots(lot, std::make_shared<const RuleSource>(std::move(*source)), *rules, threads,
+                      options.skip_bad_lots);
+  if (!used) return Failed({used.error()});
+  ShowSkipped(*used);
   auto trees = std::make_shared<const grammar::Trees>(std::move(rules->trees));
-  Result<std::shared_ptr<const Ground>> ground =
-      rules->rules.empty()
-          ? GroundOf(std::move(*lots))
-          : GroundOf(std::move(*lots), std::make_shared<const RuleSource>(std::move(*source)),
-                     *rules, threads);
-  if (!ground) return Failed({ground.error()});
-  auto model = Derived(std::move(*ground), std::move(trees), nullptr);
+  auto model = Derived(std::move(used->ground), std::move(trees), nullptr);
   if (!model) return Failed({model.error()});
   return OpenedModel{std::move(*model), std::nullopt, {}};
 }
@@ -149,6 +160,8 @@ void AddModelOptions(CLI::App* command, ModelOptions* options) {
   command->add_option("--layers-off", options->layers_off, "Rule.layer,Rule.layer: left out");
   command->add_flag("--skip-unknown", options->skip_unknown,
                     "leave out operations and annotations that are not known");
+  command->add_flag("--skip-bad-lots", options->skip_bad_lots,
+                    "leave out lots of a file that nothing can be made of, and say why");
   command->add_option("--threads", options->threads, "at once (as many as there are cores)")
       ->check(CLI::Range(0, 1024));
   command->add_option("--depth", options->limits.depth, "levels of rules at most (250)");

@@ -25,6 +25,7 @@ struct ModelOptions {
   std::vector<std::string> sets;  ///< "NAME=VALUE"
   uint64_t seed = 0;
   bool skip_unknown = false;
+  bool skip_bad_lots = false;
   int threads = 0;
   grammar::RuleLimits limits;
 };
@@ -39,9 +40,9 @@ struct OpenedModel {
   std::vector<grammar::LotNotes> notes;  ///< what rules report and print, one for each lot
 };
 
-/// What --skip-unknown left out of a text is said on stderr, and then what rules print, also where
-/// they fail after it.
-/// errors  those of OpenDocument, ReadRules, GroundOf and Derived, all that were found;
+/// What --skip-unknown and --skip-bad-lots left out is said on stderr, and then what rules print,
+/// also where they fail after it. errors  those of OpenDocument, ReadRules, UseLots and Derived,
+/// all that were found;
 ///         kBadArguments  options of a text given for a document, which has its own; a --set that
 ///         is not NAME=VALUE.
 tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& options,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/lot_values.h"
 #include "base/text_file.h"
 #include "grammar/asset_library.h"
 
@@ -32,11 +33,17 @@ Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
                                                const grammar::RuleSet& rules,
                                                const grammar::RuleThreads& threads) {
   std::vector<grammar::Item> items;
-  for (const Lot& lot : lots) items.push_back(lot.item);
+  std::vector<std::vector<grammar::GivenValue>> given;
+  for (const Lot& lot : lots) {
+    auto values = ValuesOf(lot, rules, source->settings);
+    if (!values) return Fail(values);
+    items.push_back(lot.item);
+    given.push_back(std::move(*values));
+  }
   grammar::AssetLibrary assets([](const std::string& path) { return ReadFile(path); });
   grammar::RuleThreads watched = threads;
   watched.assets = &assets;
-  auto trees = grammar::DeriveRules(rules, source->settings, items, watched);
+  auto trees = grammar::DeriveRules(rules, source->settings, items, watched, given);
   if (!trees) return Fail(trees);
   auto ground = std::make_shared<Ground>();
   for (grammar::ShapeTree& tree : *trees) {

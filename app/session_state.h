@@ -60,7 +60,7 @@ struct Model {
 std::shared_ptr<const Ground> GroundOf(std::vector<Lot> lots);
 
 /// Lots with what the rules of a source (may be null) make of them.
-/// errors  those of grammar::DeriveRules, and of RulesOf the first.
+/// errors  those of ValuesOf (lot_values.h) and grammar::DeriveRules, and of RulesOf the first.
 Result<std::shared_ptr<const Ground>> GroundOf(std::vector<Lot> lots,
                                                std::shared_ptr<const RuleSource> source);
 /// The same with rules that were read before.

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/note.h"
+
 namespace parti {
 namespace {
 
@@ -80,24 +82,28 @@ std::string Indent(std::string_view before) {
   return indent;
 }
 
-}  // namespace
-
-std::string FormatError(const Error& error) {
+std::string Format(const Error& error, std::string_view kind) {
   if (!error.place) {
-    std::string text = fmt::format("parti: error: {}", error.message);
+    std::string text = fmt::format("parti: {}: {}", kind, error.message);
     if (!error.hint.empty()) text += fmt::format("\n  hint: {}", error.hint);
     return text;
   }
   const SourcePlace& place = *error.place;
   const Shown shown = AroundCaret(place);
   const size_t tildes = std::max<size_t>(1, CharactersIn(shown.marked)) - 1;
-  std::string text = fmt::format("{}:{}:{}: error: {}\n{:5} | {}{}{}\n      | {}^{:~<{}}",
+  std::string text = fmt::format("{}:{}:{}: {}: {}\n{:5} | {}{}{}\n      | {}^{:~<{}}",
                                  place.file.empty() ? "<text>" : place.file, place.line,
-                                 place.column, error.message, place.line, shown.before,
+                                 place.column, kind, error.message, place.line, shown.before,
                                  shown.marked, shown.after, Indent(shown.before), "", tildes);
   if (!error.hint.empty()) text += fmt::format("  hint: {}", error.hint);
   return text;
 }
+
+}  // namespace
+
+std::string FormatError(const Error& error) { return Format(error, "error"); }
+
+std::string FormatNote(const Error& note) { return Format(note, "note"); }
 
 SourcePlace PlaceIn(std::string_view text, std::string_view file, size_t offset, size_t length) {
   offset = std::min(offset, text.size());

@@ -23,8 +23,9 @@ class LotDerivation {
              threads.cancelled, threads.now_s, threads.normalise_s, 0,       {}} {}
 
   /// By the arena's threads, or in order where there is none. `notes` may be null.
-  Result<ShapeTree> Run(const RuleSettings& settings, NoteBook* notes, RuleArena* arena) {
-    auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_, notes);
+  Result<ShapeTree> Run(const RuleSettings& settings, std::span<const GivenValue> given,
+                        NoteBook* notes, RuleArena* arena) {
+    auto attributes = AttributesFor(*run_.program.rules, settings, lot_, number_, notes, given);
     if (!attributes) return Fail(attributes);
     attributes_ = std::move(*attributes);
     if (run_.now_s != nullptr) run_.until_s = run_.now_s() + limits_.seconds;
@@ -62,18 +63,22 @@ class LotDerivation {
 class LotsDerivation {
  public:
   LotsDerivation(const RuleProgram& program, const RuleSettings& settings,
-                 std::span<const Item> lots, const RuleThreads& threads)
+                 std::span<const Item> lots, std::span<const std::vector<GivenValue>> given,
+                 const RuleThreads& threads)
       : program_(program),
         settings_(settings),
         lots_(lots),
+        given_(given),
         threads_(threads),
+        wants_all_(threads.failures != nullptr && threads.failures->wants_all),
         results_(lots.size()),
         notes_(threads.notes != nullptr ? lots.size() : 0) {}
 
   void RunLot(size_t i, RuleArena* arena) {
-    if (i > first_failed_.load(std::memory_order_relaxed)) return;
+    if (!wants_all_ && i > first_failed_.load(std::memory_order_relaxed)) return;
     LotDerivation lot(program_, settings_, lots_[i], static_cast<uint32_t>(i), threads_);
-    results_[i] = lot.Run(settings_, notes_.empty() ? nullptr : &notes_[i], arena);
+    const auto given = given_.empty() ? std::span<const GivenValue>() : given_[i];
+    results_[i] = lot.Run(settings_, given, notes_.empty() ? nullptr : &notes_[i], arena);
     if (*results_[i]) return;
     size_t first = first_failed_.load();
     while (i < first && !first_failed_.compare_exchange_weak(first, i)) {
@@ -105,6 +110,15 @@ class LotsDerivation {
     return notes;
   }
 
+  std::vector<LotFailures::One> Failures() const {
+    std::vector<LotFailures::One> failures;
+    for (size_t i = first_failed_; i < results_.size(); ++i) {
+      if (results_[i] && !*results_[i]) failures.push_back({i, results_[i]->error()});
+      if (!wants_all_) break;
+    }
+    return failures;
+  }
+
   Result<std::vector<ShapeTree>> Take() {
     std::vector<ShapeTree> trees;
     for (auto& result : results_) {
@@ -123,7 +137,9 @@ class LotsDerivation {
   const RuleProgram& program_;
   const RuleSettings& settings_;
   std::span<const Item> lots_;
+  std::span<const std::vector<GivenValue>> given_;
   const RuleThreads& threads_;
+  bool wants_all_;  ///< also after one that fails
   std::vector<std::optional<Result<ShapeTree>>> results_;
   std::vector<NoteBook> notes_;  ///< of each lot; none where nobody wants them
   std::atomic<size_t> first_failed_ = SIZE_MAX;
@@ -132,17 +148,19 @@ class LotsDerivation {
 }  // namespace
 
 Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSettings& settings,
-                                           std::span<const Item> lots, const RuleThreads& threads) {
+                                           std::span<const Item> lots, const RuleThreads& threads,
+                                           std::span<const std::vector<GivenValue>> given) {
   const auto start = StartSymbol(rules, settings);
   if (!start) return Fail(start);
   const RuleProgram program = ProgramOf(rules, *start, threads.assets);
-  LotsDerivation all(program, settings, lots, threads);
+  LotsDerivation all(program, settings, lots, given, threads);
   if (threads.count == 1) {
     all.RunInOrder();
   } else {
     all.RunAtOnce(threads.count);
   }
   if (threads.notes != nullptr) *threads.notes = all.TakeNotes();
+  if (threads.failures != nullptr) threads.failures->found = all.Failures();
   auto trees = all.Take();
   if (!trees) return trees;
   for (const ShapeTree& tree : *trees) {

@@ -16,6 +16,17 @@ namespace parti::grammar {
 class AssetLibrary;
 struct LotNotes;
 
+/// Lots that rules fail on.
+struct LotFailures {
+  /// One of them: `lot` counts from 0.
+  struct One {
+    size_t lot;
+    Error error;
+  };
+  bool wants_all = false;  ///< else a derivation ends with the first
+  std::vector<One> found;  ///< by lot
+};
+
 /// How much at once, and what is watched meanwhile; nothing of it changes the
 /// result but that files may be read.
 struct RuleThreads {
@@ -29,9 +40,11 @@ struct RuleThreads {
   /// What rules report and print (rule_notes.h): one for each lot, in their order, or, where one
   /// fails, up to that; null: none of it is kept.
   std::vector<LotNotes>* notes = nullptr;
+  LotFailures* failures = nullptr;  ///< where lots fail, which; may be null
 };
 
-/// One shape tree per lot.
+/// One shape tree per lot. `given` has for each lot the values of its own for attributes, or is
+/// empty: none has any.
 ///
 /// The lot's symbol is the start symbol. A body runs step by step on the shape in hand: an
 /// operation without braces changes it, one with braces makes a child of each product, which
@@ -55,6 +68,7 @@ struct RuleThreads {
 /// cost    linear in shapes; scenes as layers/normalise.h says.
 Result<std::vector<ShapeTree>> DeriveRules(const RuleSet& rules, const RuleSettings& settings,
                                            std::span<const Item> lots,
-                                           const RuleThreads& threads = {});
+                                           const RuleThreads& threads = {},
+                                           std::span<const std::vector<GivenValue>> given = {});
 
 }  // namespace parti::grammar

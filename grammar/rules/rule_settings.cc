@@ -192,12 +192,14 @@ Result<void> CheckAllowed(const Attribute& attribute, const Value& value) {
 }
 
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
-                                         const Item& lot, uint32_t lot_number, NoteBook* notes) {
+                                         const Item& lot, uint32_t lot_number, NoteBook* notes,
+                                         std::span<const GivenValue> given) {
   Attributes attributes(rules, settings, lot, LotPath(settings.seed, lot_number), notes);
+  for (const GivenValue& own : given) attributes.Give(own.index, own.value);
   for (const auto& [name, text] : settings.attributes) {
-    auto given = AttributeValue(rules, name, text);
-    if (!given) return Fail(given);
-    attributes.Give(given->index, std::move(given->value));
+    auto set = AttributeValue(rules, name, text);
+    if (!set) return Fail(set);
+    attributes.Give(set->index, std::move(set->value));
   }
   return attributes.All();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,7 @@ struct RuleSettings {
 /// errors  kUnknownName  no rule without parameters has it; the hint names one that is meant.
 Result<std::string> StartSymbol(const RuleSet& rules, const RuleSettings& settings);
 
-/// A setting for an attribute: which one it is, and its value.
+/// A value for an attribute, of its type: which one it is, and its value.
 struct GivenValue {
   size_t index = 0;  ///< of RuleSet::attributes
   Value value;
@@ -50,13 +51,15 @@ Result<GivenValue> AttributeValue(const RuleSet& rules, const std::string& name,
 /// errors  kBadNumber, kBadArguments  naming the attribute and what it may be.
 Result<void> CheckAllowed(const Attribute& attribute, const Value& value);
 
-/// The values of the rule set's attributes for a lot: those of the settings, else what their
-/// expressions give, each computed once. Draws by chance come from the seed, the number of the lot
-/// and the attribute's name. What they print goes to `notes`, which may be null.
+/// The values of the rule set's attributes for a lot: those of the settings, else those that are
+/// given for this lot, else what their expressions give, each computed once. Draws by chance come
+/// from the seed, the number of the lot and the attribute's name. What they print goes to `notes`,
+/// which may be null.
 /// errors  those of AttributeValue;  kLimitReached  attributes that depend on each other, or
 ///         functions without end.
 Result<std::vector<Value>> AttributesFor(const RuleSet& rules, const RuleSettings& settings,
                                          const Item& lot, uint32_t lot_number,
-                                         NoteBook* notes = nullptr);
+                                         NoteBook* notes = nullptr,
+                                         std::span<const GivenValue> given = {});
 
 }  // namespace parti::grammar

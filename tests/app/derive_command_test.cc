@@ -1,4 +1,5 @@
 // `parti derive` as a person runs it, and rules given to the other commands.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@ namespace parti::app {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using tests::ProgramRun;
 using tests::RunParti;
 
@@ -192,6 +194,91 @@ TEST(DeriveCommand, TheFrontIsOnTheStreetThatAFileGivesAndADocumentKeepsIt) {
     const std::string query = ".Garden:intersects(" + side + ")";
     EXPECT_EQ(Selected(rules, query, {"--lot", lots}), 1u) << street;
     EXPECT_EQ(Selected(document, query), 1u) << street;
+  }
+}
+
+std::string Feature(const std::string& id, int east, const std::string& properties) {
+  return fmt::format(
+      R"({{"type":"Feature","id":"{0}","properties":{{{2}}},"geometry":{{"type":"Polygon",)"
+      R"("coordinates":[[[{1},0],[{1}9,0],[{1}9,8]]]}}}})"
+      "\n",
+      id, east, properties);
+}
+
+TEST(DeriveCommand, LotsGiveAttributesTheirPropertiesOnAnyNumberOfThreadsAndInDocuments) {
+  const std::string rules = File(
+      "@Range(1, 9) attr floors = 2\nattr flat = false\n"
+      "Lot --> extrude(3 * floors) split(y) { 3: Floor }* Top\n"
+      "Floor --> case flat: Flat. else: Steep.\n");
+  const std::string lots =
+      File(Feature("a", 1, R"("floors":4,"flat":true,"owner":["x"],"year":1920)") +
+               Feature("b", 2, R"("floors":1)") + Feature("c", 3, ""),
+           "/lots.geojson");
+  const std::string document = lots + ".parti";
+  ASSERT_EQ(RunParti({"derive", rules, "--lot", lots, "--save", document}).status, 0);
+  for (const char* threads : {"1", "2", "7"}) {
+    const std::vector<std::string> on = {"--lot", lots, "--threads", threads};
+    EXPECT_EQ(Selected(rules, ".Flat", on), 4u);
+    EXPECT_EQ(Selected(rules, ".Steep", on), 1u + 2u) << "the last has what the rules say";
+  }
+  std::filesystem::remove(lots);
+  EXPECT_EQ(Selected(document, ".Flat"), 4u);
+  EXPECT_EQ(Selected(document, ".Steep"), 3u);
+}
+
+TEST(DeriveCommand, WhatIsSetWinsOverPropertiesAndWrongOnesAreNamed) {
+  const std::string rules =
+      File("@Range(1, 9) attr floors = 2\nLot --> extrude(3 * floors) split(y) { 3: Floor }*\n");
+  for (const char* wrong : {R"("floors":"many")", R"("floors":12)"}) {
+    const std::string lots =
+        File(Feature("a", 1, R"("floors":4)") + Feature("b", 2, wrong), "/lots.geojson");
+    const ProgramRun run = RunParti({"derive", rules, "--lot", lots});
+    EXPECT_EQ(run.status, 1);
+    for (const char* word : {"lots.geojson: lot 'b'", "'floors'", "--skip-bad-lots"}) {
+      EXPECT_THAT(run.errors, HasSubstr(word));
+    }
+    EXPECT_EQ(Selected(rules, ".Floor", {"--lot", lots, "--set", "floors=3"}), 6u);
+    EXPECT_EQ(Selected(rules, ".Floor", {"--lot", lots, "--skip-bad-lots"}), 4u);
+  }
+}
+
+TEST(DeriveCommand, BadLotsAreLeftOutAsIfTheFileHadNoneOfThem) {
+  const std::string rules = File(
+      "@Range(1, 9) attr floors = 2\nattr height = 3\n"
+      "Lot --> extrude(height * floors) split(y) { ~rand(1, 3): Floor }*\n");
+  const std::string good = Feature("a", 1, R"("floors":4)") + Feature("d", 4, "");
+  const std::string lots = File(Feature("far", 7000000, R"("floors":"many")") +
+                                    "{\"id\":\"line\",\"rings\":[[[0,0],[9,0],[18,0]]]}\n" +
+                                    Feature("low", 6, R"("height":-20000)") + good,
+                                "/lots.geojson");
+  const ProgramRun refused = RunParti({"derive", rules, "--lot", lots});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("--skip-bad-lots leaves such lots out"));
+  const std::string out = tests::TestFolder();
+  const ProgramRun run =
+      RunParti({"derive", rules, "--lot", lots, "--skip-bad-lots", "--export", out + "/a.obj"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  for (const char* name :
+       {"lot 'line'", "lot 'far'", "lot 'low'", "parti: skipped 3 of 5 lots\n"}) {
+    EXPECT_THAT(run.errors, HasSubstr(name));
+  }
+  const std::string alone = File(good, "/good.geojson");
+  ASSERT_EQ(RunParti({"derive", rules, "--lot", alone, "--export", out + "/b.obj"}).status, 0);
+  EXPECT_EQ(*ReadFile(out + "/a.obj"), *ReadFile(out + "/b.obj"));
+}
+
+TEST(DeriveCommand, WhereAllLotsAreBadNothingIsSkipped) {
+  const std::string rules = File("attr height = 3\nLot --> extrude(height) Mass\n");
+  for (const char* height : {"-20000", "\"low\""}) {
+    const std::string lots =
+        File(Feature("a", 1, std::string("\"height\":") + height), "/lots.geojson");
+    for (const bool skips : {false, true}) {
+      std::vector<std::string> arguments = {"derive", rules, "--lot", lots};
+      if (skips) arguments.emplace_back("--skip-bad-lots");
+      const ProgramRun run = RunParti(arguments);
+      EXPECT_EQ(run.status, 1);
+      EXPECT_THAT(run.errors, Not(HasSubstr("--skip-bad-lots"))) << "it would not help";
+    }
   }
 }
 

@@ -284,6 +284,69 @@ TEST(Lot, TheStreetIsWhereTheFileSaysItIs) {
   EXPECT_THAT(ErrorIn(feature + "400}}"), HasSubstr("street_deg of lot '0' is 400"));
 }
 
+TEST(Lot, WhatAFileSaysOfALotIsKeptByName) {
+  const std::string ring = "[[0,0],[9,0],[9,9]]";
+  const std::string values =
+      R"("floors":3,"flat":true,"name":"Hut","none":null,"tags":["a"],"more":{"a":1})";
+  const LotProperties expected = {{"flat", true},
+                                  {"floors", 3.0},
+                                  {"more", std::nullopt},
+                                  {"name", "Hut"},
+                                  {"tags", std::nullopt}};
+  const std::string feature = std::string(R"({"type":"Feature","properties":{)")
+                                  .append(values)
+                                  .append(R"(},"geometry":{"type":"Polygon","coordinates":[)")
+                                  .append(ring)
+                                  .append("]}}");
+  const std::string land_use =
+      std::string(R"({"type":"CityJSON","vertices":[[0,0,0],[9,0,0],[9,9,0]],"CityObjects":{"l":{
+          "type":"LandUse","geometry":[{"type":"MultiSurface","boundaries":[[[0,1,2]]]}],
+          "attributes":{)")
+          .append(values)
+          .append("}}}}");
+  for (const std::string& text : {feature, land_use}) {
+    const auto lots = LotsIn(text);
+    ASSERT_TRUE(lots) << FormatError(lots.error());
+    EXPECT_EQ(lots->at(0).properties, expected) << text;
+  }
+  const LotProperties beside = LotsIn("{\"rings\":[" + ring + "],\"floors\":3}")->at(0).properties;
+  EXPECT_EQ(beside, (LotProperties{{"floors", 3.0}}));
+}
+
+TEST(Lot, APartOfABuildingHasWhatTheFileSaysOfTheBuilding) {
+  const auto lots =
+      LotsIn(R"({"type":"CityJSON","vertices":[[0,0,0],[9,0,0],[9,9,0]],"CityObjects":{
+      "b":{"type":"Building","attributes":{"floors":3,"roof":"flat","street_deg":90}},
+      "p":{"type":"BuildingPart","parents":["b","gone"],"attributes":{"floors":2},
+           "geometry":[{"type":"MultiSurface","boundaries":[[[0,1,2]]]}]}}})");
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  EXPECT_EQ(lots->at(0).properties,
+            (LotProperties{{"floors", 2.0}, {"roof", "flat"}, {"street_deg", 90.0}}));
+  EXPECT_EQ(lots->at(0).item.street_deg, 90.0F);
+}
+
+TEST(Lot, ThoseThatAreRefusedLeaveTheOthersAsIfTheFileHadThemAlone) {
+  const std::string good = "{\"id\":\"good\",\"rings\":[[[510,0],[519,0],[519,9]]]}\n";
+  const std::string bad =
+      "{\"id\":\"street\",\"street_deg\":\"east\",\"rings\":[[[0,0],[9,0],[9,9]]]}\n"
+      "{\"id\":\"ring\",\"rings\":[[[0,0],[9,0],[9]]]}\n"
+      "{\"id\":\"thin\",\"rings\":[[[-80000000000,0],[-79999999991,0],[-79999999982,0]]]}\n"
+      "{\"id\":\"wide\",\"rings\":[[[0,0],[900000,0],[900000,9]]]}\n";
+  std::vector<Error> refused;
+  const auto lots = LotsIn(bad + good, &refused);
+  ASSERT_TRUE(lots) << FormatError(lots.error());
+  ASSERT_EQ(lots->size(), 1u);
+  EXPECT_EQ(CornersOf(lots->at(0)), CornersOf(LotsIn(good)->at(0)));
+  EXPECT_EQ(lots->at(0).origin, Vec2(510, 0));
+  ASSERT_EQ(refused.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    const char* names[] = {"'street'", "'ring'", "'thin'", "'wide'"};
+    EXPECT_THAT(refused[i].message, AllOf(HasSubstr("lots.json"), HasSubstr(names[i])));
+  }
+  EXPECT_THAT(ErrorIn(bad + good), HasSubstr("lots.json:1: street_deg"));
+  EXPECT_FALSE(LotsIn(bad, &refused)) << "none is left";
+}
+
 TEST(Lot, DamagedCityJsonIsExplained) {
   EXPECT_THAT(ErrorIn(R"({"type":"CityJSON","vertices":[]})"), HasSubstr("no CityObjects"));
   for (const char* boundaries : {"[[[0,1,99]]]", "[[[0,1,-2]]]", "[[[0,1,\"a\"]]]", "7", "[7]"}) {
