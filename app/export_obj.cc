@@ -7,10 +7,11 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <set>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 
+#include "app/byte_blocks.h"
 #include "app/weld.h"
 #include "base/text_file.h"
 
@@ -47,24 +48,97 @@ std::string MaterialName(const ModelPart& part) {
                           100 * part.material->opacity));
 }
 
+std::string MaterialText(const ModelPart& part) {
+  const grammar::Material* given = part.material.get();
+  const bool has_image = given && given->image;
+  constexpr uint32_t kPaperWhite = 0xEDEBE6;  // what pictures give shapes without a colour
+  const uint32_t rgb = part.color_rgb ? part.color_rgb : has_image ? 0xFFFFFF : kPaperWhite;
+  const auto byte = [rgb](int shift) { return Number((rgb >> shift & 255) / 255.0, 4); };
+  std::string text =
+      fmt::format("newmtl {}\nKd {} {} {}\n", MaterialName(part), byte(16), byte(8), byte(0));
+  if (given && given->opacity < 1) text += fmt::format("d {}\n", Number(given->opacity, 4));
+  text += "illum 1\n";
+  if (has_image) text += fmt::format("map_Kd {}\n", given->image->name);
+  return text;
+}
+
+/// What parts wear: the text of the material file, and the images that lie beside it.
+class Wardrobe {
+ public:
+  /// Returns the name of the part's material.
+  std::string Add(const ModelPart& part) {
+    const bool is_plain = part.color_rgb == 0 && !part.material;
+    is_dressed_ = is_dressed_ || !is_plain;
+    std::string name = MaterialName(part);
+    std::string& text = texts_[{part.color_rgb, name}];
+    if (text.empty()) text = MaterialText(part);
+    if (part.material && part.material->image) {
+      materials_.try_emplace(part.material->image->name, part.material);
+    }
+    return name;
+  }
+
+  /// Some part has a colour or a material.
+  bool is_dressed() const { return is_dressed_; }
+
+  /// Each material once, by colour and name; "" where nothing is dressed.
+  std::string Text() const {
+    if (!is_dressed_) return "";
+    std::string text = "# Parti\n";
+    for (const auto& [key, material] : texts_) text += material;
+    return text;
+  }
+
+  Result<void> WriteImages(const std::filesystem::path& folder) const {
+    for (const auto& [name, material] : materials_) {
+      auto good = WriteFile((folder / name).string(), material->image->bytes);
+      if (!good) return good;
+    }
+    return {};
+  }
+
+ private:
+  std::map<std::pair<uint32_t, std::string>, std::string> texts_;
+  /// The first that wears each image.
+  std::map<std::string, std::shared_ptr<const grammar::Material>> materials_;
+  bool is_dressed_ = false;
+};
+
 /// Writes shapes one after the other; OBJ numbers corners and normals through the whole file.
 class ObjMaker {
  public:
-  void AddGroup(const SymbolGroup& group, const ModelMesh& mesh, bool with_materials) {
-    bool named = false;
-    for (const size_t i : group.parts) {
-      const WeldedPart& part = welder_.Weld(mesh.parts[i].corners);
-      if (part.triangles.empty()) continue;
-      if (!named) text_ += fmt::format("g {}\n", Word(group.name));
-      named = true;
-      const std::string material = MaterialName(mesh.parts[i]);
-      if (with_materials && material != material_) text_ += fmt::format("usemtl {}\n", material);
-      material_ = material;
-      Add(part, mesh.parts[i].uvs);
+  /// Those of a group follow each other.
+  void Add(const ModelPart& part) {
+    const std::string material = wardrobe_.Add(part);
+    const WeldedPart& welded = welder_.Weld(part.corners);
+    if (welded.triangles.empty()) return;
+    if (const std::string group = GroupNameOf(part.symbol); empty() || group != group_) {
+      (empty() ? opening_ : text_) += fmt::format("g {}\n", Word(group));
+      group_ = group;
     }
+    if (material != material_) {
+      (empty() ? first_use_ : text_) += fmt::format("usemtl {}\n", material);
+    }
+    material_ = material;
+    Add(welded, part.uvs);
+    blocks_.Append(text_.data(), text_.size());
+    text_.clear();
   }
-  const std::string& text() const { return text_; }
+
   bool empty() const { return points_ == 0; }
+  const Wardrobe& wardrobe() const { return wardrobe_; }
+
+  /// The file, once. Whether there are materials is known in the end: where there are none, "plain"
+  /// was the only one, and is not named.
+  std::string Take(const std::string& mtl_name) {
+    std::string obj = "# Parti: metres, y up\n";
+    if (wardrobe_.is_dressed()) obj += fmt::format("mtllib {}\n", mtl_name);
+    obj += opening_;
+    if (wardrobe_.is_dressed()) obj += first_use_;
+    obj.reserve(obj.size() + blocks_.size());
+    blocks_.MoveTo(&obj);
+    return obj;
+  }
 
  private:
   void Add(const WeldedPart& part, const std::vector<Vec2>& uvs) {
@@ -99,83 +173,56 @@ class ObjMaker {
     return it->second;
   }
 
+  Wardrobe wardrobe_;
   Welder welder_;
-  std::string text_, material_;
+  ByteBlocks blocks_;
+  std::string opening_, first_use_;  ///< "g …" and "usemtl …" of the first part
+  std::string text_;                 ///< of one part
+  std::string group_, material_;
   size_t points_ = 0;
   std::unordered_map<std::string, size_t> normals_, uvs_;
 };
 
-std::string MaterialText(const ModelPart& part) {
-  const grammar::Material* given = part.material.get();
-  const bool has_image = given && given->image;
-  constexpr uint32_t kPaperWhite = 0xEDEBE6;  // what pictures give shapes without a colour
-  const uint32_t rgb = part.color_rgb ? part.color_rgb : has_image ? 0xFFFFFF : kPaperWhite;
-  const auto byte = [rgb](int shift) { return Number((rgb >> shift & 255) / 255.0, 4); };
-  std::string text =
-      fmt::format("newmtl {}\nKd {} {} {}\n", MaterialName(part), byte(16), byte(8), byte(0));
-  if (given && given->opacity < 1) text += fmt::format("d {}\n", Number(given->opacity, 4));
-  text += "illum 1\n";
-  if (has_image) text += fmt::format("map_Kd {}\n", given->image->name);
-  return text;
-}
-
-/// Each material once, by colour and name; "" where no shape has a colour or material.
-std::string MaterialsOf(const ModelMesh& mesh) {
-  std::map<std::pair<uint32_t, std::string>, std::string> texts;
-  bool dressed = false;
-  for (const ModelPart& part : mesh.parts) {
-    texts.try_emplace({part.color_rgb, MaterialName(part)}, MaterialText(part));
-    dressed = dressed || part.color_rgb != 0 || part.material;
-  }
-  if (!dressed) return "";
-  std::string text = "# Parti\n";
-  for (const auto& [key, material] : texts) text += material;
-  return text;
-}
-
-/// The images that materials name, beside the file.
-Result<void> WriteImages(const ModelMesh& mesh, const std::filesystem::path& folder) {
-  std::set<std::string> written;
-  for (const ModelPart& part : mesh.parts) {
-    if (!part.material || !part.material->image) continue;
-    const grammar::Image& image = *part.material->image;
-    if (!written.insert(image.name).second) continue;
-    if (auto good = WriteFile((folder / image.name).string(), image.bytes); !good) return good;
-  }
-  return {};
+/// errors  kNothingMade.
+Result<void> AddAll(const ModelParts& parts, ObjMaker* maker) {
+  parts.visit_groups([maker](const ModelPart& part) {
+    maker->Add(part);
+    return true;
+  });
+  if (!maker->empty()) return {};
+  return Fail(ErrorCode::kNothingMade, "there is nothing to export",
+              "the model has no visible shape with an area");
 }
 
 }  // namespace
 
-Result<ObjText> ObjTextOf(const ModelMesh& mesh, const std::string& mtl_name) {
-  ObjText text;
-  text.mtl = MaterialsOf(mesh);
+Result<ObjText> ObjTextOf(const ModelParts& parts, const std::string& mtl_name) {
   ObjMaker maker;
-  for (const SymbolGroup& group : GroupBySymbol(mesh)) {
-    maker.AddGroup(group, mesh, !text.mtl.empty());
+  if (const auto added = AddAll(parts, &maker); !added) return Fail(added);
+  return ObjText{maker.Take(mtl_name), maker.wardrobe().Text()};
+}
+
+Result<ObjText> ObjTextOf(const ModelMesh& mesh, const std::string& mtl_name) {
+  return ObjTextOf(PartsOf(mesh), mtl_name);
+}
+
+Result<void> ExportObj(const ModelParts& parts, const std::string& path) {
+  const std::filesystem::path mtl = std::filesystem::path(path).replace_extension(".mtl");
+  ObjMaker maker;
+  if (auto added = AddAll(parts, &maker); !added) {
+    added.error().message = path + ": " + added.error().message;
+    return added;
   }
-  if (maker.empty()) {
-    return Fail(ErrorCode::kNothingMade, "there is nothing to export",
-                "the model has no visible shape with an area");
+  if (maker.wardrobe().is_dressed()) {
+    auto written = WriteFile(mtl.string(), maker.wardrobe().Text());
+    if (!written) return written;
+    if (written = maker.wardrobe().WriteImages(mtl.parent_path()); !written) return written;
   }
-  text.obj = "# Parti: metres, y up\n";
-  if (!text.mtl.empty()) text.obj += fmt::format("mtllib {}\n", mtl_name);
-  text.obj += maker.text();
-  return text;
+  return WriteFile(path, maker.Take(mtl.filename().string()));
 }
 
 Result<void> ExportObj(const ModelMesh& mesh, const std::string& path) {
-  const std::filesystem::path mtl = std::filesystem::path(path).replace_extension(".mtl");
-  Result<ObjText> text = ObjTextOf(mesh, mtl.filename().string());
-  if (!text) {
-    text.error().message = path + ": " + text.error().message;
-    return Fail(text);
-  }
-  if (!text->mtl.empty()) {
-    if (auto written = WriteFile(mtl.string(), text->mtl); !written) return written;
-    if (auto written = WriteImages(mesh, mtl.parent_path()); !written) return written;
-  }
-  return WriteFile(path, text->obj);
+  return ExportObj(PartsOf(mesh), path);
 }
 
 }  // namespace parti::app

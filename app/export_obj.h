@@ -16,11 +16,14 @@ struct ObjText {
 
 /// The same for the same model. Metres to the micrometre, y up, counter-clockwise from outside,
 /// flat normals. Blanks in symbols become _. `mtl_name` is how the OBJ names its material file.
+/// Takes as much memory as the files, and little more.
 /// errors  kNothingMade  no triangle.
+Result<ObjText> ObjTextOf(const ModelParts& parts, const std::string& mtl_name);
 Result<ObjText> ObjTextOf(const ModelMesh& mesh, const std::string& mtl_name);
 
 /// Writes `path`, and the material file with the ending .mtl beside it.
 /// errors  kNothingMade, naming the file; kFile  one can't be written.
+Result<void> ExportObj(const ModelParts& parts, const std::string& path);
 Result<void> ExportObj(const ModelMesh& mesh, const std::string& path);
 
 }  // namespace parti::app

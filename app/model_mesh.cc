@@ -49,6 +49,45 @@ bool VisitLeaf(const grammar::ShapeTree& tree, grammar::ShapeIndex leaf, const T
   return true;
 }
 
+/// Things by the names of their groups, which stand in the order of their first things.
+template <typename Thing>
+class Groups {
+ public:
+  void Add(const std::string& symbol, const Thing& thing) {
+    all_[NumberOf(symbol)].push_back(thing);
+  }
+  bool Has(const std::string& symbol) const { return numbers_.contains(GroupNameOf(symbol)); }
+  const std::vector<std::vector<Thing>>& all() const { return all_; }
+
+ private:
+  size_t NumberOf(const std::string& symbol) {
+    const auto [it, is_new] = numbers_.emplace(GroupNameOf(symbol), all_.size());
+    if (is_new) all_.emplace_back();
+    return it->second;
+  }
+
+  std::unordered_map<std::string, size_t> numbers_;
+  std::vector<std::vector<Thing>> all_;
+};
+
+struct LeafRef {
+  const grammar::ShapeTree* tree;
+  grammar::ShapeIndex leaf;
+};
+
+/// Of the leaves that have parts, as far as groups are ordered by them.
+Groups<LeafRef> GroupsOf(const std::vector<const grammar::ShapeTree*>& trees) {
+  Groups<LeafRef> groups;
+  for (const grammar::ShapeTree* tree : trees) {
+    for (const grammar::ShapeIndex i : tree->Leaves()) {
+      const std::string symbol(tree->Name((*tree)[i].symbol));
+      const bool counts = groups.Has(symbol) || !grammar::SurfaceOf((*tree)[i].item).empty();
+      if (counts) groups.Add(symbol, {tree, i});
+    }
+  }
+  return groups;
+}
+
 }  // namespace
 
 ModelParts PartsOf(std::vector<const grammar::ShapeTree*> trees) {
@@ -58,6 +97,14 @@ ModelParts PartsOf(std::vector<const grammar::ShapeTree*> trees) {
       parts.most_triangles += MostTriangles((*tree)[i].item);
     }
   }
+  parts.visit_groups = [trees](const PartSink& sink) {
+    const Groups<LeafRef> groups = GroupsOf(trees);
+    for (const std::vector<LeafRef>& group : groups.all()) {
+      for (const LeafRef& one : group) {
+        if (!VisitLeaf(*one.tree, one.leaf, sink)) return;
+      }
+    }
+  };
   parts.visit = [trees = std::move(trees)](const PartSink& sink) {
     for (const grammar::ShapeTree* tree : trees) {
       for (const grammar::ShapeIndex i : tree->Leaves()) {
@@ -74,6 +121,15 @@ ModelParts PartsOf(const ModelMesh& mesh) {
   parts.visit = [&mesh](const PartSink& sink) {
     for (const ModelPart& part : mesh.parts) {
       if (!sink(part)) return;
+    }
+  };
+  parts.visit_groups = [&mesh](const PartSink& sink) {
+    Groups<const ModelPart*> groups;
+    for (const ModelPart& part : mesh.parts) groups.Add(part.symbol, &part);
+    for (const std::vector<const ModelPart*>& group : groups.all()) {
+      for (const ModelPart* part : group) {
+        if (!sink(*part)) return;
+      }
     }
   };
   return parts;
@@ -121,18 +177,6 @@ std::string GroupNameOf(const std::string& symbol) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return (c & 0x80) != 0; }, '_');
   return name;
-}
-
-std::vector<SymbolGroup> GroupBySymbol(const ModelMesh& mesh) {
-  std::vector<SymbolGroup> groups;
-  std::unordered_map<std::string, size_t> found;
-  for (size_t i = 0; i < mesh.parts.size(); ++i) {
-    const std::string name = GroupNameOf(mesh.parts[i].symbol);
-    const auto [it, is_new] = found.emplace(name, groups.size());
-    if (is_new) groups.push_back({name, {}});
-    groups[it->second].parts.push_back(i);
-  }
-  return groups;
 }
 
 }  // namespace parti::app

@@ -37,7 +37,10 @@ using PartSink = std::function<bool(const ModelPart&)>;
 /// of them need many times the memory of the file.
 struct ModelParts {
   std::function<void(const PartSink&)> visit;  ///< the same parts each time
-  size_t most_triangles = 0;                   ///< there are no more; counted without making them
+  /// The same parts, those of one group (GroupNameOf) after the other; groups in the order of their
+  /// first parts. Between groups the sink is not told.
+  std::function<void(const PartSink&)> visit_groups;
+  size_t most_triangles = 0;  ///< there are no more; counted without making them
 };
 
 /// The leaves of the trees of all lots, in the order of ModelMeshFrom. The trees must outlive it.
@@ -51,13 +54,8 @@ size_t TriangleCount(std::span<const grammar::ShapeTree* const> trees);
 ModelMesh ModelMeshFrom(std::span<const grammar::ShapeTree* const> trees);
 ModelMesh ModelMeshFrom(const grammar::ShapeTree& tree);
 
-/// Symbols in order of their first part, each with its parts' numbers.
-struct SymbolGroup {
-  std::string name;  ///< "Unnamed" for shapes without symbol; always UTF-8
-  std::vector<size_t> parts;
-};
-/// "Unnamed" for "", and _ for each byte of what is not UTF-8.
+/// What files call the shapes of a symbol: "Unnamed" for "", and _ for each byte of what is not
+/// UTF-8.
 std::string GroupNameOf(const std::string& symbol);
-std::vector<SymbolGroup> GroupBySymbol(const ModelMesh& mesh);
 
 }  // namespace parti::app

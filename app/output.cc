@@ -65,8 +65,7 @@ struct Format {
 constexpr std::array kFormats = {
     Format{".glb", [](const Request& r) { return WriteGltf(r, GltfForm::kBinary); }},
     Format{".gltf", [](const Request& r) { return WriteGltf(r, GltfForm::kText); }},
-    Format{".obj",
-           [](const Request& r) { return ExportObj(ModelMeshFrom(TreesOf(r.model)), r.path); }},
+    Format{".obj", [](const Request& r) { return ExportObj(PartsOf(TreesOf(r.model)), r.path); }},
     Format{".cga", WriteRules},
     Format{".png", WriteView},
 };

@@ -137,7 +137,7 @@ TEST(ExportObj, BlanksInSymbolsDoNotBreakTheLine) {
 }
 
 TEST(ExportObj, FailuresAreErrors) {
-  const auto nothing = ExportObj({}, "house.obj");
+  const auto nothing = ExportObj(ModelMesh(), "house.obj");
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().code, ErrorCode::kNothingMade);
   EXPECT_NE(nothing.error().message.find("house.obj"), std::string::npos);

@@ -1,5 +1,9 @@
-// What a file of a town costs: houses of 40 boxes and 8 fine sheets, 20,080 triangles each.
+// What a file of a town costs in time and memory: houses of 40 boxes and 8 fine sheets, 20,080
+// triangles each.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -50,6 +54,27 @@ ModelMesh Town(int houses) {
   return mesh;
 }
 
+/// The most memory of a process of its own that does this and ends; bytes.
+template <typename Work>
+double PeakOf(const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  rusage usage{};
+  wait4(child, nullptr, 0, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// What an export, which returns the size of its file, takes beside the model: as a multiple of it.
+template <typename Export>
+void CountMemory(const Export& exported, benchmark::State* state) {
+  const double idle = PeakOf([] {});
+  const double busy = PeakOf([&] { benchmark::DoNotOptimize(exported()); });
+  state->counters["memory/file"] = (busy - idle) / static_cast<double>(exported());
+}
+
 void CountTriangles(const ModelMesh& mesh, benchmark::State* state) {
   state->counters["triangles/s"] =
       benchmark::Counter(static_cast<double>(PartsOf(mesh).most_triangles),
@@ -60,6 +85,7 @@ void BenchGlb(benchmark::State& state) {
   const ModelMesh mesh = Town(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(GltfBytes(mesh, GltfForm::kBinary));
   CountTriangles(mesh, &state);
+  CountMemory([&] { return GltfBytes(mesh, GltfForm::kBinary)->size(); }, &state);
 }
 BENCHMARK(BenchGlb)->Arg(2)->Arg(50)->Unit(benchmark::kMillisecond);
 
@@ -67,6 +93,7 @@ void BenchObj(benchmark::State& state) {
   const ModelMesh mesh = Town(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(ObjTextOf(mesh, "town.mtl"));
   CountTriangles(mesh, &state);
+  CountMemory([&] { return ObjTextOf(mesh, "town.mtl")->obj.size(); }, &state);
 }
 BENCHMARK(BenchObj)->Arg(2)->Arg(50)->Unit(benchmark::kMillisecond);
 
