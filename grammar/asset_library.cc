@@ -69,6 +69,15 @@ Result<std::shared_ptr<const Asset>> AssetLibrary::Get(const std::string& path) 
   return read_.emplace(path, std::move(asset)).first->second;
 }
 
+std::shared_ptr<const Asset> AssetLibrary::Get(const PrimitiveBody& body) {
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<const Asset>& kept = bodies_[body];
+  if (!kept) {
+    kept = std::make_shared<const Asset>(Asset{Vec3(0), Vec3(1), MeshOf(body), nullptr});
+  }
+  return kept;
+}
+
 std::string_view FolderOf(std::string_view path) {
   const size_t slash = path.rfind('/');
   if (slash == 0) return path.substr(0, 1);
@@ -94,7 +103,12 @@ std::vector<std::string> PathsFor(std::string_view folder, std::string_view name
   return paths;
 }
 
+bool WantsAsset(const Action& action) {
+  return action.operation->file >= 0 || PrimitiveBodyOf(action).has_value();
+}
+
 Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action) {
+  if (const auto body = PrimitiveBodyOf(*action)) action->asset = library->Get(*body);
   const int file = action->operation->file;
   if (file >= 0) {
     const auto& name = std::get<std::string>(action->arguments[static_cast<size_t>(file)]);

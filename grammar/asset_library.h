@@ -1,5 +1,6 @@
 // Assets by name, each read once: what i() and texture() of actions refer to becomes a value that
-// they share. The caller owns the library and says how files are read; there is no global one.
+// they share, and so do the bodies that come without a file. The caller owns the library and says
+// how files are read; there is no global one.
 #pragma once
 
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "grammar/action.h"
 #include "grammar/asset.h"
+#include "grammar/primitive_body.h"
 
 namespace parti::grammar {
 
@@ -24,10 +26,14 @@ class AssetLibrary {
   ///         "builtin:".
   Result<std::shared_ptr<const Asset>> Get(const std::string& path);
 
+  /// A body without a file, made when it is first asked for.
+  std::shared_ptr<const Asset> Get(const PrimitiveBody& body);
+
  private:
   FileReader files_;
   std::mutex mutex_;
   std::map<std::string, Result<std::shared_ptr<const Asset>>> read_;
+  std::map<PrimitiveBody, std::shared_ptr<const Asset>> bodies_;
 };
 
 /// "rules" of "rules/house.cga"; "" of "house.cga"; "/" of "/house.cga".
@@ -40,10 +46,13 @@ std::string PathBeside(std::string_view folder, std::string_view name);
 std::vector<std::string> PathsFor(std::string_view folder, std::string_view name);
 inline constexpr size_t kMostFolders = 16;
 
-/// Sets Action::asset of every action that names a file (ParameterKind::kFile), those in braces
-/// included; `folder` is that of the rules ("" where they have none), names are looked for as
-/// PathsFor says, but for built-in ones.
-/// errors  those of Get for the path beside the rules, the first in reading order.
+/// Whether ResolveAssets has something to do for the action itself.
+bool WantsAsset(const Action& action);
+
+/// Sets Action::asset of every action that names a file (ParameterKind::kFile) or inserts a body
+/// without one, those in braces included; `folder` is that of the rules ("" where they have none),
+/// names are looked for as PathsFor says, but for built-in ones. errors  those of Get for the path
+/// beside the rules, the first in reading order.
 Result<void> ResolveAssets(std::string_view folder, AssetLibrary* library, Action* action);
 
 }  // namespace parti::grammar

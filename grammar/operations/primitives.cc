@@ -3,10 +3,12 @@
 #include <cmath>
 #include <utility>
 
+#include "grammar/asset.h"
 #include "grammar/item_make.h"
 #include "grammar/item_place.h"
 #include "grammar/operations/insertion.h"
 #include "grammar/operations/rows.h"
+#include "grammar/primitive_body.h"
 #include "grammar/primitive_mesh.h"
 
 namespace parti::grammar {
@@ -20,34 +22,34 @@ int Count(const Action& action, size_t i) {
   return static_cast<int>(std::lround(Number(action, i)));
 }
 
-/// In the scope, or of its own size in the middle of the scope's floor where it has one.
-Products Made(const Item& item, const Vec3& own_size, Mesh mesh) {
+/// In the scope, or of its own size in the middle of the scope's floor where it has one. Without a
+/// mesh it is a box.
+Products Made(const Item& item, const Vec3& own_size, std::shared_ptr<const Mesh> mesh) {
   Scope scope = NamedScope(item);
-  auto shared = mesh.faces.empty() ? nullptr : std::make_shared<const Mesh>(std::move(mesh));
-  const Insertion in{Vec3(0, 0, 0), Vec3(1, 1, 1), std::move(shared)};
+  const Insertion in{Vec3(0, 0, 0), Vec3(1, 1, 1), std::move(mesh)};
   const bool sized = own_size != Vec3(0, 0, 0);
   scope = sized ? StoodIn(scope, own_size) : FittedTo(scope, in);
   return std::vector<Product>{{Inserted(item, scope, in.mesh), -1}};
 }
 
+/// What the library keeps of this body; made anew where nobody asked it.
+std::shared_ptr<const Mesh> Body(const Action& action) {
+  if (action.asset) return action.asset->mesh;
+  const auto body = PrimitiveBodyOf(action);
+  return body ? MeshOf(*body) : nullptr;
+}
+
 Products ApplyCube(const Item& item, const Action& action) {
-  return Made(item, Vec3(Number(action, 0), Number(action, 1), Number(action, 2)), Mesh());
+  return Made(item, Vec3(Number(action, 0), Number(action, 1), Number(action, 2)), nullptr);
 }
 
 Products ApplySphere(const Item& item, const Action& action) {
-  return Made(item, Vec3(2 * Number(action, 2)), UnitSphere(Count(action, 0), Count(action, 1)));
+  return Made(item, Vec3(2 * Number(action, 2)), Body(action));
 }
 
-Vec3 RoundSize(const Action& action) {
-  return Vec3(2 * Number(action, 1), Number(action, 2), 2 * Number(action, 1));
-}
-
-Products ApplyCylinder(const Item& item, const Action& action) {
-  return Made(item, RoundSize(action), UnitCylinder(Count(action, 0)));
-}
-
-Products ApplyCone(const Item& item, const Action& action) {
-  return Made(item, RoundSize(action), UnitCone(Count(action, 0)));
+Products ApplyRound(const Item& item, const Action& action) {
+  const double width = 2 * Number(action, 1);
+  return Made(item, Vec3(width, Number(action, 2), width), Body(action));
 }
 
 /// The two axes in which something flat lies: the floor, unless the scope stands upright without
@@ -153,15 +155,34 @@ constinit const Operation kSphere =
         kSphereParameters, ItemType::kVolume, ApplySphere);
 constinit const Operation kCylinder =
     Row("primitiveCylinder", "Cylinder", "An upright cylinder, or a prism of few sides.",
-        kRoundParameters, ItemType::kVolume, ApplyCylinder);
+        kRoundParameters, ItemType::kVolume, ApplyRound);
 constinit const Operation kCone =
     Row("primitiveCone", "Cone", "An upright cone, or a pyramid of few sides.", kRoundParameters,
-        ItemType::kVolume, ApplyCone);
+        ItemType::kVolume, ApplyRound);
 constinit const Operation kQuad =
     Row("primitiveQuad", "Quad", "A rectangle on the floor of the scope, facing up.",
         kQuadParameters, ItemType::kPlanar, ApplyQuad);
 constinit const Operation kDisk =
     Row("primitiveDisk", "Disk", "A disk on the floor of the scope, facing up.", kDiskParameters,
         ItemType::kPlanar, ApplyDisk);
+
+std::optional<PrimitiveBody> PrimitiveBodyOf(const Action& action) {
+  using Kind = PrimitiveBody::Kind;
+  const std::string_view name = action.operation->name;  // the table has rows of its own
+  if (name == kSphere.name) {
+    return PrimitiveBody{Kind::kSpherical, Count(action, 0), Count(action, 1)};
+  }
+  if (name == kCylinder.name) return PrimitiveBody{Kind::kCylindrical, Count(action, 0), 0};
+  if (name == kCone.name) return PrimitiveBody{Kind::kConical, Count(action, 0), 0};
+  return std::nullopt;
+}
+
+std::shared_ptr<const Mesh> MeshOf(const PrimitiveBody& body) {
+  using Kind = PrimitiveBody::Kind;
+  return std::make_shared<const Mesh>(body.kind == Kind::kSpherical
+                                          ? UnitSphere(body.sides, body.rings)
+                                      : body.kind == Kind::kCylindrical ? UnitCylinder(body.sides)
+                                                                        : UnitCone(body.sides));
+}
 
 }  // namespace parti::grammar

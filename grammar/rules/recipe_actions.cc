@@ -40,7 +40,7 @@ Result<const Action*> RecipeActions::Computed(const StepPlan& step, const Situat
   }
   if (evaluator->failure()) return tl::unexpected<Error>(*evaluator->failure());
   if (const auto good = Check(kept.action); !good) return Fail(good);
-  if (recipe.action.operation->file >= 0 && program_.assets != nullptr) {
+  if (program_.assets != nullptr && WantsAsset(kept.action)) {
     const auto read = ResolveAssets(recipe.folder, program_.assets, &kept.action);
     if (!read) return Fail(read);
   }

@@ -1,4 +1,5 @@
 // Assets, edges and corners in rules.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,6 +41,28 @@ TEST(RuleAssets, AreReadOnceForAllShapes) {
   EXPECT_EQ(first.type, ItemType::kVolume);
   EXPECT_NEAR(first.scope.size.z, 0.2, 1e-12);
   EXPECT_EQ(first.mesh, trees->front()[leaves[4]].item.mesh);
+}
+
+TEST(RuleAssets, BodiesWithoutAFileAreMadeOnceForAllShapesThatAskForTheSame) {
+  for (const char* const body :
+       {"primitiveSphere(12, 7)", "primitiveCylinder(12)", "primitiveCone(12)",
+        "primitiveSphere(10 + 2, geometry.area * 0 + 7)", "primitiveCone(6 * 2)"}) {
+    const std::string rules = fmt::format(
+        "Lot --> split(x) {{ ~2: extrude(1) {0} A | ~2: extrude(2) {0} A | "
+        "~2: extrude(1) primitiveSphere(5, 7) B }}\n",
+        body);
+    AssetLibrary library(FromModels);
+    const auto shared = DerivedWith(rules, &library), own = DerivedWith(rules, nullptr);
+    ASSERT_TRUE(shared && own) << body;
+    const auto mesh = [](const Result<std::vector<ShapeTree>>& trees, size_t leaf) {
+      return trees->front()[trees->front().Leaves().at(leaf)].item.mesh;
+    };
+    EXPECT_EQ(mesh(shared, 0), mesh(shared, 1)) << body;
+    EXPECT_NE(mesh(shared, 0), mesh(shared, 2)) << body;
+    EXPECT_NE(mesh(own, 0), mesh(own, 1)) << "nobody keeps them";
+    EXPECT_EQ(mesh(shared, 0)->points, mesh(own, 0)->points) << body;
+    EXPECT_EQ(mesh(shared, 0)->faces.size(), mesh(own, 1)->faces.size()) << body;
+  }
 }
 
 TEST(RuleAssets, MissingFilesNameRuleAndPlace) {
