@@ -6,7 +6,9 @@
 #include "app/commands/commands.h"
 #include "app/open_model.h"
 #include "app/rule_import.h"
+#include "base/note.h"
 #include "base/text_file.h"
+#include "grammar/rules/rule_remarks.h"
 #include "grammar/rules/rule_text.h"
 
 namespace parti::app {
@@ -35,6 +37,9 @@ int RunCheck(const CheckOptions& options) {
     return Report({ErrorCode::kNothingMade,
                    fmt::format("'{}' has neither rules nor trees", options.file),
                    "write Lot --> extrude(12) Mass"});
+  }
+  for (const Error& remark : grammar::RemarksOn(*rules)) {
+    fmt::print(stderr, "{}\n", FormatNote(remark));
   }
   return PrintAnswer(fmt::format(
       "{}: {}, {}, {}\n", options.file, Counted(rules->rules.size(), "rule"),

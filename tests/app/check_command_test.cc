@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "base/text_file.h"
+#include "tests/support/data.h"
 #include "tests/support/program.h"
 
 namespace parti::app {
@@ -11,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using tests::ProgramRun;
 using tests::RunParti;
 
@@ -35,6 +39,26 @@ TEST(CheckCommand, TellsAllErrorsWithTheirPlaces) {
   EXPECT_THAT(run.errors, AllOf(HasSubstr("house.cga:1:9: error: there is no operation 'extrud'"),
                                 HasSubstr("did you mean 'extrude'?"),
                                 HasSubstr("house.cga:2:17: error: comp has no selector 'sid'")));
+}
+
+TEST(CheckCommand, WhatIsSurelyNotMeantIsANoteAndNoFailure) {
+  const ProgramRun run = RunParti({"check", File("Lot --> [ B ] color(\"blue\")\n")});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.errors,
+              AllOf(HasSubstr("house.cga:1:15: note: color acts on a shape that nothing keeps\n"),
+                    HasSubstr("^~~~~  hint: put it before")));
+  EXPECT_THAT(run.output, EndsWith("house.cga: 1 rule, 0 attributes, 0 trees\n"));
+}
+
+TEST(CheckCommand, OurOwnRulesGiveNoNotes) {
+  for (const char* folder : {"docs/operations", "tests/listings"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(tests::SourceFile(folder))) {
+      if (entry.path().extension() != ".cga") continue;
+      EXPECT_THAT(RunParti({"check", entry.path().string()}).errors, Not(HasSubstr("note:")))
+          << entry.path();
+    }
+  }
 }
 
 TEST(CheckCommand, FollowsImportsBesideTheFileAndAboveIt) {
