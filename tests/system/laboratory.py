@@ -8,7 +8,7 @@ import time
 import guest_image
 import kernel
 import picture
-from machine import Machine, MachineError
+from machine import SOCKETS, Machine, MachineError
 
 HERE = pathlib.Path(__file__).resolve().parent
 GOLDEN = HERE.parent / "golden"
@@ -68,37 +68,37 @@ class Laboratory:
         folder = self.folder / f"boot-{self._boots}"
         return Machine(self._kernel.image, self._initramfs, self._disk, folder)
 
-    def expect_golden(self, machine, name, ignored=()):
+    def expect_golden(self, machine, name, ignored=(), screen=SOCKETS[0]):
         """The screen comes to look like tests/golden/system_NAME.png: a picture that still changes
         is waited for. PARTI_UPDATE_GOLDEN=1 writes it instead: look at it before committing it."""
         path = GOLDEN / f"system_{name}.png"
         if os.environ.get("PARTI_UPDATE_GOLDEN") == "1":
-            picture.write_png(still_screen(machine), path)
+            picture.write_png(still_screen(machine, screen), path)
             return
         check(path.exists(), f"there is no {path.name}; PARTI_UPDATE_GOLDEN=1 writes it")
         golden = picture.read_png(path)
         limit = time.monotonic() + SETTLE_S
         while True:
-            seen = machine.screenshot()
+            seen = machine.screenshot(screen)
             difference = picture.compare(seen, golden, ignored)
-            check(difference is not None, f"{path.name} has another size")
-            if difference.is_small():
+            if difference and difference.is_small():
                 return
             if time.monotonic() > limit:
                 break
             time.sleep(0.5)
         picture.write_png(seen, path.with_suffix(".out.png"))
+        check(difference is not None, f"{path.name} has another size; see .out.png")
         picture.write_png(difference.marked, path.with_suffix(".diff.png"))
         raise Failure(f"{path.name}: {difference.pixels} pixels differ; see .out.png and .diff.png")
 
 
-def still_screen(machine):
+def still_screen(machine, screen=SOCKETS[0]):
     """The screen as soon as it stands still."""
     limit = time.monotonic() + SETTLE_S
-    last, since = machine.screenshot(), time.monotonic()
+    last, since = machine.screenshot(screen), time.monotonic()
     while time.monotonic() - since < STILL_S and time.monotonic() < limit:
         time.sleep(0.25)
-        now = machine.screenshot()
+        now = machine.screenshot(screen)
         if now.rows != last.rows:
             last, since = now, time.monotonic()
     return last

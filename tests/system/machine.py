@@ -14,8 +14,10 @@ import time
 
 from line_socket import LineSocket
 from picture import read_ppm
+from screens import Sockets
 
 SCREEN = (1280, 728)  # of the shape of the display tablet in devices, and affordable to emulate
+SOCKETS = ("first", "second")  # of the graphics card: Virtual-1 and Virtual-2; the second has no screen at first
 BOOT_LIMIT_S = 180
 ORDER_LIMIT_S = 60
 KEY_S = 0.15  # QEMU holds a key for 0.1 s
@@ -44,6 +46,7 @@ class Machine:
         self._folder = folder
         # Socket names must be short, whatever the folder's is.
         self._sockets = pathlib.Path(tempfile.mkdtemp(prefix="parti-machine-"))
+        self.screens = Sockets(self._sockets, SOCKETS)
         self._orders = self._control = None
         self._number = 0
         with (folder / "qemu.log").open("wb") as complaints:
@@ -68,7 +71,8 @@ class Machine:
         return ["setpriv", "--pdeathsig", "KILL",
                 "qemu-system-x86_64", "-accel", "tcg,thread=single", "-icount", "shift=0", "-cpu", "max", "-smp", "1",
                 "-m", "2048", "-nodefaults", "-no-reboot", "-display", "none",
-                "-device", f"virtio-gpu-pci,xres={width},yres={height}",
+                "-device", f"virtio-gpu-pci,id=card,xres={width},yres={height},max_outputs={len(SOCKETS)}",
+                *self.screens.arguments("card"),
                 "-drive", f"file={disk},format=raw,if=virtio",
                 "-serial", "file:console.log",
                 "-device", "virtio-serial-pci",
@@ -137,10 +141,10 @@ class Machine:
             self.press(*KEYS.get(letter, (letter,)))
         self.press("ret")
 
-    def screenshot(self):
-        """What the screen shows now."""
+    def screenshot(self, screen=SOCKETS[0]):
+        """What a screen shows now."""
         path = self._folder / "screen.ppm"
-        self._ask("screendump", filename=str(path))
+        self._ask("screendump", filename=str(path), device="card", head=SOCKETS.index(screen))
         return read_ppm(path)
 
     def said(self):
