@@ -47,7 +47,8 @@ ModelPart Box(const Vec3& at) {
 ModelMesh Town(int houses) {
   ModelMesh mesh;
   for (int house = 0; house < houses; ++house) {
-    const Vec3 place(12.3 * (house % 20), 0, 17.9 * (house / 20));
+    const int row = house / 20;
+    const Vec3 place(12.3 * (house % 20), 0, 17.9 * row);
     for (int i = 0; i < 40; ++i) mesh.parts.push_back(Box(place + Vec3(0.7 * i, 0, 0)));
     for (int i = 0; i < 8; ++i) mesh.parts.push_back(Sheet(place + Vec3(0, 0.5 * i, 0), 35));
   }

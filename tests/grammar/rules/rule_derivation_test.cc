@@ -356,5 +356,44 @@ TEST(RuleDerivation, TheFirstOfSeveralLotsThatFailsIsTheOneNamed) {
   EXPECT_THAT(trees.error().message, HasSubstr("lot-2: "));
 }
 
+TEST(RuleDerivation, AllLotsThatFailAreToldWhereTheyAreWanted) {
+  const RuleSet rules = RulesFrom("attr h = 3\nLot --> extrude(h) Mass");
+  const auto items = TownLots(30);
+  std::vector<std::vector<GivenValue>> given(items.size());
+  for (const size_t bad : {4u, 11u, 29u}) given[bad] = {{0, -20000.0}};
+  AwaitRuleWorkers();
+  for (const bool wants_all : {false, true}) {
+    for (const int count : {1, 2, 8}) {
+      LotFailures failures{wants_all, {}};
+      RuleThreads threads;
+      threads.count = count;
+      threads.failures = &failures;
+      const auto trees = DeriveRules(rules, {}, items, threads, given);
+      ASSERT_FALSE(trees);
+      EXPECT_THAT(trees.error().message, HasSubstr("lot-4: "));
+      std::vector<size_t> lots;
+      for (const LotFailures::One& one : failures.found) lots.push_back(one.lot);
+      EXPECT_EQ(lots, wants_all ? std::vector<size_t>({4, 11, 29}) : std::vector<size_t>({4}));
+    }
+  }
+}
+
+TEST(RuleDerivation, ValuesOfALotAreItsOwnAndGiveWayToSettings) {
+  const RuleSet rules = RulesFrom("attr h = 3\nattr twice = 2 * h\nLot --> extrude(twice) Mass");
+  const auto items = TownLots(3);
+  const std::vector<std::vector<GivenValue>> given = {{}, {{0, 5.0}}, {{0, 7.0}, {1, 1.0}}};
+  const auto heights = [&](const RuleSettings& settings) {
+    std::vector<double> all;
+    const auto trees = DeriveRules(rules, settings, items, {}, given);
+    EXPECT_TRUE(trees);
+    for (const ShapeTree& tree : *trees) all.push_back(tree[tree.Leaves().at(0)].item.scope.size.y);
+    return all;
+  };
+  EXPECT_THAT(heights({}), ElementsAre(6, 10, 1));
+  RuleSettings settings;
+  settings.attributes = {{"h", "4"}};
+  EXPECT_THAT(heights(settings), ElementsAre(8, 8, 1));
+}
+
 }  // namespace
 }  // namespace parti::grammar
