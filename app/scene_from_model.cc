@@ -5,6 +5,7 @@
 
 #include "app/covered_edges.h"
 #include "app/crease_lines.h"
+#include "app/line_spacing.h"
 #include "grammar/item_surface.h"
 
 namespace parti::app {
@@ -72,6 +73,7 @@ void AddCreases(const std::vector<Segment3>& edges, const Vec3& behind, const Dr
 void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
               const DrawingStyle& style) {
   const std::vector<grammar::ShapeIndex> leaves = tree.Leaves();
+  const size_t first_face = scene->faces.size();
   const SortedEdges edges = SortEdges(tree, leaves);
   auto covered_shape = edges.covered_shapes.begin();
   for (const grammar::ShapeIndex i : leaves) {
@@ -89,10 +91,13 @@ void AddModel(const grammar::ShapeTree& tree, Scene* scene, uint32_t first_id,
       Wear(part, &scene->faces.back());
     }
   }
+  const size_t first_line = scene->lines.size();
   AddCreases(edges.open, Vec3(0, 0, 0), style, scene);
   for (const CoveredEdges& covered : edges.covered) {
     AddCreases(covered.edges, covered.normal, style, scene);
   }
+  const float spacing_m = LineSpacing_m(std::span(scene->faces).subspan(first_face));
+  for (size_t i = first_line; i < scene->lines.size(); ++i) scene->lines[i].spacing_m = spacing_m;
 }
 
 void AddModels(std::span<const grammar::ShapeTree* const> trees, Scene* scene, uint32_t first_id,

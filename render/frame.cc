@@ -27,7 +27,8 @@ Frame::Frame(const Camera& camera, const Bounds& bounds, const Tile& part, const
       eye(camera.eye),
       depth_unit(static_cast<float>(2 * range.far_m * range.near_m / (range.far_m - range.near_m))),
       volume(VolumeOf(clip_from_world, tile, size, camera.eye)),
-      pixels_per_m(view.PixelsPerMetre(camera.eye + view.forward() * range.near_m)) {}
+      pixels_per_m(view.PixelsPerMetre(camera.eye + view.forward() * range.near_m)),
+      pixels_per_m_at_1_m(view.PixelsPerMetre(camera.eye + view.forward())) {}
 
 void SetShadow(const Gl& gl, const GlProgram& program, const ShadowLookup& shadow,
                const Frame& frame) {

@@ -41,6 +41,7 @@ struct Frame {
   float depth_unit;
   DrawVolume volume;    ///< what the tile shows, and lines whose width reaches into it
   double pixels_per_m;  ///< at the nearest point of the bounds
+  double pixels_per_m_at_1_m;
 
   /// Viewport such that the tile of the whole picture falls on the framebuffer.
   void SetViewport(const Gl& gl) const { gl.Viewport(-tile.x, -tile.y, size.x, size.y); }

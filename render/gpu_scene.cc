@@ -15,24 +15,25 @@ namespace {
 struct LineInstance {
   Vec3f a, b;
   Bytes4 color;
-  Vec2f width_and_dash;
+  Vec3f width_dash_spacing;
   std::array<int8_t, 4> behind;
 };
 const std::vector<VertexAttribute> kLineLayout = {
     {0, 3, GL_FLOAT, false, offsetof(LineInstance, a)},
     {1, 3, GL_FLOAT, false, offsetof(LineInstance, b)},
     {2, 4, GL_UNSIGNED_BYTE, true, offsetof(LineInstance, color)},
-    {3, 2, GL_FLOAT, false, offsetof(LineInstance, width_and_dash)},
+    {3, 3, GL_FLOAT, false, offsetof(LineInstance, width_dash_spacing)},
     {4, 4, GL_BYTE, true, offsetof(LineInstance, behind)}};
 
 void Upload(const Lines& lines, VertexStream* stream) {
   LineInstance line{{},
                     {},
                     ColorBytes(lines.color),
-                    {std::min(lines.width_px, kWidestLine_px), lines.dash_px},
+                    {std::min(lines.width_px, kWidestLine_px), lines.dash_px, lines.spacing_m},
                     DirectionBytes(lines.behind)};
   if (!(lines.width_px > 0) || !std::isfinite(lines.width_px)) return;
-  if (!(lines.dash_px > 0) || !std::isfinite(lines.dash_px)) line.width_and_dash.y = 0;
+  if (!(lines.dash_px > 0) || !std::isfinite(lines.dash_px)) line.width_dash_spacing.y = 0;
+  if (!(lines.spacing_m > 0) || !std::isfinite(lines.spacing_m)) line.width_dash_spacing.z = 0;
   for (size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
     line.a = lines.ends[i];
     line.b = lines.ends[i + 1];

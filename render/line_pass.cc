@@ -17,6 +17,9 @@ void DrawLines(const Gl& gl, const GlProgram& program, const Frame& frame, const
   program.Set("pull", frame.look.line_pull);
   program.Set("depth_unit", frame.depth_unit);
   program.Set("scale", static_cast<float>(frame.detail.scale));
+  program.Set("metre", static_cast<float>(frame.pixels_per_m_at_1_m));
+  program.Set("full", Vec2f(frame.look.full_spacing_px, frame.look.full_line_px));
+  program.Set("least", frame.look.faintest_line);
   program.Set("strength", 1.0f);
   gl.DepthFunc(GL_LEQUAL);
   scene.lines.DrawSeen(frame.volume);

@@ -36,6 +36,9 @@ struct Look {
   float face_offset_units = 2;     ///< and this many of the least depth steps
   float back_push = 3e-4f;         ///< faces seen from behind yield by this part of the distance,
   float layer_push = 1e-5f;       ///< and faces in one plane by this times their place in 16 layers
+  float full_spacing_px = 6;      ///< lines are full where so many pixels lie between them,
+  float full_line_px = 200;       ///< or where they are so long; others are fainter in proportion,
+  float faintest_line = 0.12f;    ///< down to this part of their color
   float hidden_strength = 0.22f;  ///< of on_top lines where they are hidden
   int samples = 4;                ///< a pixel
 };

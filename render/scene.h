@@ -43,6 +43,9 @@ struct Lines {
   /// Where faces lie before all of these lines, in their planes: the unit normal of those faces. An
   /// eye on the side that it points to does not see the lines. 0: there are none.
   Vec3f behind{0, 0, 0};
+  /// How far apart they lie on their faces. Where that is few pixels they are fainter (Look), as in
+  /// a building seen from afar. 0: never.
+  float spacing_m = 0;
 };
 
 /// Ink on the picture, in pixels: a polyline with a width at each point, round ends and joints.

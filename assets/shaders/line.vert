@@ -1,9 +1,10 @@
 // A line in the world as a capsule of constant width on the picture: one instance a line, four
-// corners from the vertex number.
+// corners from the vertex number. Lines that come to lie closer together than pixels can show are
+// fainter, so that the picture keeps the color of the faces between them.
 layout(location = 0) in vec3 end_a;
 layout(location = 1) in vec3 end_b;
 layout(location = 2) in vec4 color;  // sRGB, alpha
-layout(location = 3) in vec2 width_and_dash;  // px
+layout(location = 3) in vec3 width_dash_spacing;  // px, px, m
 layout(location = 4) in vec4 behind;  // normal of the face that the line lies on the back of, or 0
 
 uniform mat4 clip_from_world;
@@ -12,6 +13,9 @@ uniform vec2 picture;  // px
 uniform float near;    // m
 uniform float pull;    // towards the eye, of the distance to it
 uniform float scale;   // of widths and dashes
+uniform float metre;   // px that a metre takes at the distance of 1 m
+uniform vec2 full;     // px between lines, px of a line: from either on they have all their color
+uniform float least;   // part of their color that the faintest lines keep
 uniform float depth_unit;  // how far clip z moves when a point moves by its distance to the eye
 
 flat out vec4 ink;     // linear
@@ -37,7 +41,7 @@ void main() {
   vec2 step_px = 0.5 * (to.xy - from.xy) * picture;
   float length_px = length(step_px);
   vec2 direction = length_px > 1e-4 ? step_px / length_px : vec2(1.0, 0.0);
-  float width = width_and_dash.x * scale;
+  float width = width_dash_spacing.x * scale;
   float half_width = 0.5 * max(width, 1.0);
   float margin = half_width + 0.5;
   bool at_end = (gl_VertexID & 1) == 1;
@@ -47,8 +51,11 @@ void main() {
   float depth_slope = (to.z - from.z) / max(length_px, 2.0 * margin);
   // w is 1: everything between the corners is then linear on the picture, depth included.
   gl_Position = vec4(from.xy + 2.0 * offset / picture, from.z + depth_slope * along, 1.0);
-  float thin = min(width, 1.0);
+  float spacing_px = width_dash_spacing.z * metre / (0.5 * (a.w + b.w));
+  vec2 part = vec2(spacing_px, length_px) / (full * scale);
+  float crowded = width_dash_spacing.z > 0.0 ? clamp(max(part.x, part.y), least, 1.0) : 1.0;
+  float thin = min(width, 1.0) * crowded;
   ink = vec4(LinearFromSrgb(color.rgb), color.a * thin);
-  shape = vec3(length_px, half_width, width_and_dash.y * scale);
+  shape = vec3(length_px, half_width, width_dash_spacing.y * scale);
   along_across = vec2(along, across);
 }

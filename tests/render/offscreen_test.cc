@@ -121,6 +121,23 @@ TEST_P(Offscreen, ALineHasItsWidthWhereItProjects) {
   EXPECT_TRUE(IsPaper(PixelAt(image, 304, 149)));
 }
 
+TEST_P(Offscreen, LinesThatRunTogetherAreFainterUnlessTheyAreLong) {
+  const auto shade = [this](float length_m, float spacing_m) {
+    Scene scene;
+    scene.ground = false;
+    Lines line{{{-length_m / 2, 0.505f, 0}, {length_m / 2, 0.505f, 0}}, {0, 0, 0, 1}, 3};
+    line.spacing_m = spacing_m;
+    scene.lines.push_back(line);
+    return PixelAt(Draw(scene, Front()), 200, 149).r;
+  };
+  const int full = shade(0.1f, 0);
+  EXPECT_EQ(shade(0.1f, 0.06f), full) << "6 px apart";
+  EXPECT_GT(shade(0.1f, 0.03f), full + 50);
+  EXPECT_GT(shade(0.1f, 0.01f), shade(0.1f, 0.03f) + 20);
+  EXPECT_LT(shade(0.1f, 1e-6f), 255 - 10) << "something is left of it";
+  EXPECT_EQ(shade(2, 0.01f), full) << "200 px long";
+}
+
 TEST_P(Offscreen, DashesAreAsLongAsTheirGaps) {
   Scene scene;
   scene.ground = false;
