@@ -1,4 +1,5 @@
 // How close the lines of a model lie: what tells how far away they run together.
+// Of faces as they are drawn; how lines fade is render's.
 #pragma once
 
 #include <span>
