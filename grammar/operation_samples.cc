@@ -2,6 +2,7 @@
 // a row (Samples; Jesus 2018, Listing 6.1).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "grammar/operation.h"
@@ -83,17 +84,27 @@ std::vector<Successor> SelectorsOf(const Operation& row) {
   return successors;
 }
 
+/// Where the row's length stands: its first argument of that kind. Roofs are told their height,
+/// which the argument before says. The number of parameters where there is none.
+size_t LengthOf(const Operation& row, Action* action) {
+  static const std::string kByHeight = "byHeight";
+  for (size_t i = 0; i < row.parameters.size(); ++i) {
+    const Parameter& parameter = row.parameters[i];
+    if (parameter.kind == ParameterKind::kLength) return i;
+    if (std::ranges::count(parameter.words, kByHeight) == 0) continue;
+    action->arguments[i] = kByHeight;
+    return i + 1;
+  }
+  return row.parameters.size();
+}
+
 /// Rows with one length, or none.
 void AddLengthSamples(const Operation& row, std::span<const double> lengths_m,
                       std::vector<Action>* samples) {
   Action action = Default(row);
   action.successors = SelectorsOf(row);
   if (row.braces == Braces::kNone) action.symbol = "A";
-  size_t length_at = 0;
-  while (length_at < row.parameters.size() &&
-         row.parameters[length_at].kind != ParameterKind::kLength) {
-    ++length_at;
-  }
+  const size_t length_at = LengthOf(row, &action);
   if (length_at == row.parameters.size()) {
     samples->push_back(std::move(action));
     return;

@@ -74,6 +74,20 @@ grammar::Action RepeatAction(const grammar::Operation& repeat, grammar::Axis axi
   return action;
 }
 
+grammar::Action RoofAction(const grammar::Operation& roof, double height_m) {
+  grammar::Action action = grammar::Default(roof);
+  action.arguments[0] = std::string("byHeight");
+  action.arguments[1] = height_m;
+  return action;
+}
+
+grammar::Action ShapeAction(const grammar::Operation& shape) {
+  grammar::Action action = grammar::Default(shape);
+  action.successors = {Part(grammar::Selector::Kind::kShape),
+                       Part(grammar::Selector::Kind::kRemainder)};
+  return action;
+}
+
 grammar::Axis AxisOf(const grammar::Action& action) {
   for (const grammar::Argument& argument : action.arguments) {
     if (const auto* axis = std::get_if<grammar::Axis>(&argument)) return *axis;

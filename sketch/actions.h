@@ -28,6 +28,12 @@ grammar::Action SplitAction(const grammar::Operation& split, grammar::Axis axis,
 /// split(axis) { ~size: }*.
 grammar::Action RepeatAction(const grammar::Operation& repeat, grammar::Axis axis, double size_m);
 
+/// roof(byHeight, height).
+grammar::Action RoofAction(const grammar::Operation& roof, double height_m);
+
+/// shapeL and its like: { shape: | remainder: }, its widths as by default.
+grammar::Action ShapeAction(const grammar::Operation& shape);
+
 /// The axis among the action's arguments; kX where it has none.
 grammar::Axis AxisOf(const grammar::Action& action);
 

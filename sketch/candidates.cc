@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "grammar/operation.h"
+#include "sketch/heuristic_geometry.h"
+#include "sketch/heuristics.h"
 #include "sketch/made_edges.h"
 
 namespace parti::sketch {
@@ -36,18 +38,63 @@ std::vector<Family> FamiliesOf(const grammar::Operation& operation, const gramma
   return families;
 }
 
-void AddSample(grammar::Action action, int family, const MadeEdges& made, const View& view,
-               bool parts, Candidates* candidates) {
-  const auto edges = made.Of(action);
-  if (!edges || edges->empty()) return;  // this length does not fit this item
-  Sample sample{std::move(action), family, static_cast<uint32_t>(candidates->edges.size()),
-                static_cast<uint32_t>(edges->size())};
-  for (const Segment3& edge : *edges) {
-    candidates->edges.push_back(edge);
-    candidates->screen.push_back(view.Project(edge));
-    if (parts) candidates->on_item.push_back(made.IsOnItem(edge) ? 1 : 0);
+// Every so manieth of them: at most `most`.
+std::vector<double> Thinned(const std::vector<double>& lengths, int most) {
+  const size_t stride =
+      (lengths.size() + static_cast<size_t>(most) - 1) / static_cast<size_t>(most);
+  std::vector<double> few;
+  for (size_t i = stride; i <= lengths.size() && stride > 0; i += stride) {
+    few.push_back(lengths[i - 1]);
   }
-  candidates->samples.push_back(std::move(sample));
+  return few;
+}
+
+// What samples are added to, and how.
+struct Collector {
+  const MadeEdges* made;
+  const View* view;
+  bool generous;
+  Candidates* candidates;
+};
+
+void AddEdges(grammar::Action action, int family, const std::vector<Segment3>& edges,
+              const Collector& to) {
+  Candidates& all = *to.candidates;
+  Sample sample{std::move(action), family, static_cast<uint32_t>(all.edges.size()),
+                static_cast<uint32_t>(edges.size())};
+  for (const Segment3& edge : edges) {
+    all.edges.push_back(edge);
+    all.screen.push_back(to.view->Project(edge));
+    if (to.generous) all.on_item.push_back(to.made->IsOnItem(edge) ? 1 : 0);
+  }
+  all.samples.push_back(std::move(sample));
+}
+
+void AddSamples(Family family, int number, const Collector& to) {
+  for (grammar::Action& action : family.actions) {
+    const auto edges = to.made->Of(action);
+    if (!edges || edges->empty()) continue;  // this length does not fit this item
+    AddEdges(std::move(action), number, *edges, to);
+  }
+}
+
+// Samples whose lengths are evenly spaced, of operations whose edges move evenly with the length:
+// the first and the last tell those between.
+void AddEvenSamples(Family family, int number, const Collector& to) {
+  std::vector<grammar::Action>& actions = family.actions;
+  if (actions.size() < 2) return AddSamples(std::move(family), number, to);
+  const auto first = to.made->Of(actions.front()), last = to.made->Of(actions.back());
+  if (!first || !last || first->size() != last->size()) return;
+  for (size_t i = 0; i < actions.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(actions.size() - 1);
+    const auto between = [&](const Vec3& p, const Vec3& q) { return p + (q - p) * share; };
+    std::vector<Segment3> edges;
+    for (size_t e = 0; e < first->size(); ++e) {
+      const Segment3 &low = (*first)[e], &high = (*last)[e];
+      edges.push_back({between(low.a, high.a), between(low.b, high.b)});
+    }
+    AddEdges(std::move(actions[i]), number, edges, to);
+  }
 }
 
 }  // namespace
@@ -81,12 +128,19 @@ Result<Candidates> CandidatesOf(const grammar::Item& item, const View& view,
   if (!lengths) return Fail(lengths);
   Candidates candidates;
   const MadeEdges made(item);
+  const Collector to{&made, &view, parameters.generous, &candidates};
   int family = 0;
+  const std::vector<double> few = Thinned(*lengths, parameters.most_rarer_lengths);
   for (const grammar::Operation& operation : grammar::Operations()) {
     if (!(operation.takes & grammar::Types(item.type))) continue;
-    for (Family& f : FamiliesOf(operation, item, *lengths)) {
-      for (grammar::Action& action : f.actions) {
-        AddSample(std::move(action), family, made, view, parameters.parts, &candidates);
+    const Heuristic* heuristic = HeuristicFor(operation.name);
+    const bool rarer = heuristic != nullptr && heuristic->rarer;
+    if (rarer && !(parameters.generous && LooksUp(item))) continue;
+    for (Family& f : FamiliesOf(operation, item, rarer ? few : *lengths)) {
+      if (rarer) {
+        AddEvenSamples(std::move(f), family, to);
+      } else {
+        AddSamples(std::move(f), family, to);
       }
       ++family;
     }

@@ -16,11 +16,21 @@ bool Coincides(const Segment3& line, const Segment3& edge, double near_m) {
          (near(line.a, edge.b) && near(line.b, edge.a));
 }
 
-bool IsEdge(const WorldLine& line, const std::vector<Segment3>& edges, double near_m) {
+bool LiesOn(const Segment3& line, const Segment3& edge, double near_m) {
+  const Vec3 along = edge.b - edge.a;
+  const auto near = [&](const Vec3& p) {
+    const double t = std::clamp(glm::dot(p - edge.a, along) / glm::dot(along, along), 0.0, 1.0);
+    return glm::distance(p, edge.a + along * t) <= near_m;
+  };
+  return near(line.a) && near(line.b);
+}
+
+bool IsEdge(const WorldLine& line, const std::vector<Segment3>& edges, double near_m, bool partly) {
   const std::vector<LiftCandidate> readings = ReadingsOf(line);
   return std::any_of(readings.begin(), readings.end(), [&](const LiftCandidate& reading) {
     return std::any_of(edges.begin(), edges.end(), [&](const Segment3& edge) {
-      return Coincides(reading.world, edge, near_m);
+      return Coincides(reading.world, edge, near_m) ||
+             (partly && LiesOn(reading.world, edge, near_m));
     });
   });
 }
@@ -33,7 +43,9 @@ std::vector<Hypothesis> CompHeuristic(const Configuration& configuration, const 
   if (!comp || item.type != grammar::ItemType::kVolume || configuration.lines.empty()) return {};
   const std::vector<Segment3> edges = grammar::EdgesOf(item);
   const double near_m = parameters.near_relative * DiagonalOf(item);
-  const auto is_edge = [&](const WorldLine& line) { return IsEdge(line, edges, near_m); };
+  const auto is_edge = [&](const WorldLine& line) {
+    return IsEdge(line, edges, near_m, parameters.partly);
+  };
   const bool traces = parameters.partly ? std::ranges::any_of(configuration.lines, is_edge)
                                         : std::ranges::all_of(configuration.lines, is_edge);
   if (!traces) return {};

@@ -13,7 +13,8 @@ struct Operation;
 
 namespace parti::sketch {
 
-/// One edge of one sampled operation that a drawn line may stand for.
+/// One edge of one sampled operation that a drawn line may stand for, or the part of it that is
+/// drawn.
 struct LiftCandidate {
   Segment3 world;                                 ///< m
   double fitness = 0;                             ///< (6.13), (0, 1]

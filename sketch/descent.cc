@@ -47,7 +47,8 @@ std::vector<Unknown> UnknownsOf(Hypothesis hypothesis, const MadeEdges& made) {
   std::vector<std::vector<size_t>> groups = hypothesis.equal;
   for (size_t i = 0; i < dials.size(); ++i) {
     const auto has = [&](const std::vector<size_t>& g) { return std::ranges::count(g, i) > 0; };
-    if (std::ranges::none_of(hypothesis.equal, has)) groups.push_back({i});
+    const bool turned = hypothesis.turned.empty() || std::ranges::count(hypothesis.turned, i) > 0;
+    if (turned && std::ranges::none_of(hypothesis.equal, has)) groups.push_back({i});
   }
   std::vector<Unknown> unknowns;
   for (std::vector<size_t>& group : groups) {

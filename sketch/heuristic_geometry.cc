@@ -44,6 +44,11 @@ bool Orthogonal(const Vec3& u, const Vec3& v, Angle tolerance) {
   return std::abs(glm::dot(u, v)) <= std::sin(tolerance.radians());
 }
 
+bool LooksUp(const grammar::Item& planar) {
+  constexpr double kLies = 0.7071;  // errata 10: 45 degrees tell up from the four winds
+  return planar.scope.z.y >= kLies;
+}
+
 std::vector<OutlineEdge> OutlineOf(const grammar::Item& planar) {
   const grammar::Polygon polygon = grammar::PolygonOf(planar);
   std::vector<OutlineEdge> edges;

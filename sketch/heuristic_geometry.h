@@ -15,6 +15,9 @@ Vec3 DirectionOf(const Segment3& line);
 bool Parallel(const Vec3& u, const Vec3& v, Angle tolerance);    ///< unit vectors; either sense
 bool Orthogonal(const Vec3& u, const Vec3& v, Angle tolerance);  ///< unit vectors
 
+/// Whether a planar item lies and looks up: the ground, or a flat roof.
+bool LooksUp(const grammar::Item& planar);
+
 /// An edge of a planar item's outline or holes with its neighbours, in scope coordinates: the
 /// item's inside lies to the left of a to b.
 struct OutlineEdge {

@@ -3,20 +3,23 @@
 namespace parti::sketch {
 
 std::span<const Heuristic> Heuristics() {
-  static const std::vector<Heuristic> kRows = {{{"extrude"}, ExtrudeHeuristic},
-                                               {{"offset"}, OffsetHeuristic},
-                                               {{"split", "repeat"}, SplitHeuristic},
-                                               {{"comp"}, CompHeuristic}};
+  static const std::vector<Heuristic> kRows = {
+      {{"extrude"}, ExtrudeHeuristic},
+      {{"offset"}, OffsetHeuristic},
+      {{"split", "repeat"}, SplitHeuristic},
+      {{"comp"}, CompHeuristic},
+      {{"roofHip", "roofGable", "roofPyramid", "roofShed"}, RoofHeuristic, /*rarer=*/true},
+      {{"shapeL", "shapeU", "shapeO"}, ShapeHeuristic, /*rarer=*/true}};
   return kRows;
 }
 
-bool HasHeuristic(std::string_view operation) {
+const Heuristic* HeuristicFor(std::string_view operation) {
   for (const Heuristic& heuristic : Heuristics()) {
     for (const std::string_view name : heuristic.operations) {
-      if (name == operation) return true;
+      if (name == operation) return &heuristic;
     }
   }
-  return false;
+  return nullptr;
 }
 
 }  // namespace parti::sketch

@@ -39,13 +39,28 @@ std::vector<Hypothesis> SplitHeuristic(const Configuration& configuration,
 std::vector<Hypothesis> CompHeuristic(const Configuration& configuration, const grammar::Item& item,
                                       const HeuristicParameters& parameters = {});
 
+/// Every line belongs to a roof over a planar item that lies: its height, for each of the rows that
+/// make roofs. Only where a part of the lines may be left over (HeuristicParameters::partly).
+std::vector<Hypothesis> RoofHeuristic(const Configuration& configuration, const grammar::Item& item,
+                                      const HeuristicParameters& parameters = {});
+
+/// Lines in a planar item that lies, parallel to its axes, that turn corners with each other:
+/// shapeL, shapeU or shapeO, whichever has no more widths than lines speak of. What the lines
+/// enclose is the remainder. Only where lines may be left over.
+std::vector<Hypothesis> ShapeHeuristic(const Configuration& configuration,
+                                       const grammar::Item& item,
+                                       const HeuristicParameters& parameters = {});
+
 /// One row for each heuristic; operations without a row are found by sampling.
 struct Heuristic {
   std::vector<std::string_view> operations;  ///< names in the operation table that it speaks for
   std::vector<Hypothesis> (*propose)(const Configuration&, const grammar::Item&,
                                      const HeuristicParameters&);
+  bool rarer = false;  ///< sampled in the generous reading only (suggestion.h)
 };
 std::span<const Heuristic> Heuristics();
-bool HasHeuristic(std::string_view operation);
+/// The row that speaks for an operation; nullptr where there is none.
+const Heuristic* HeuristicFor(std::string_view operation);
+inline bool HasHeuristic(std::string_view operation) { return HeuristicFor(operation) != nullptr; }
 
 }  // namespace parti::sketch

@@ -17,6 +17,8 @@ struct Hypothesis {
   std::vector<std::vector<size_t>> equal = {};
   /// Set where parts were judged equal by eye: the stretch of the item that they divide, m.
   std::optional<Segment3> spaced_along = {};
+  /// Dials that descent turns; all of them where it is empty.
+  std::vector<size_t> turned = {};
   double price = 0;  ///< how much less likely it is than others before a line is drawn [nat]
   bool by_heuristic = true;
 };

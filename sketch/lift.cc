@@ -19,7 +19,7 @@ struct Reading {
   Segment3 world;
   double squared_px;
   const grammar::Operation* operation;
-  int free_ends;
+  Cover cover;
 };
 
 // A drawn line, and what it may be compared with.
@@ -98,7 +98,7 @@ void MoveTowards(size_t neighbour, const Hit& hit, const Drawn& drawn, const Can
                          CostOf(cover, drawn) - cover.squared_px;
   if (squared >= best->squared_px) return;
   best->squared_px = squared;
-  best->free_ends = cover.free_ends;
+  best->cover = cover;
   best->world = Between(c.edges[i], c.edges[j], t);
 }
 
@@ -106,7 +106,7 @@ Reading Refine(const Hit& hit, const Drawn& drawn, const Candidates& c) {
   const Sample& sample = c.samples[hit.sample];
   const size_t edge = sample.first + hit.edge;
   Reading best{c.edges[edge], hit.squared_px, sample.action.operation,
-               c.on_item.empty() ? 0 : CoverAt(drawn, edge, c).free_ends};
+               c.on_item.empty() ? Cover{} : CoverAt(drawn, edge, c)};
   if (hit.sample > 0) MoveTowards(hit.sample - 1, hit, drawn, c, &best);
   if (hit.sample + 1 < c.samples.size()) MoveTowards(hit.sample + 1, hit, drawn, c, &best);
   return best;
@@ -146,6 +146,21 @@ std::vector<Reading> Choose(const std::vector<Hit>& hits, const Drawn& drawn,
   return chosen;
 }
 
+// What the drawn line covers of the edge. Shares on the screen are no shares in the world: the
+// further end is foreshortened.
+Segment3 CoveredPart(const Reading& reading, const Camera& camera) {
+  const View view(camera);
+  const Segment3& edge = reading.world;
+  const double depth_a = view.Depth(edge.a), depth_b = view.Depth(edge.b);
+  const auto at = [&](double share) {
+    if (!(depth_a > 0 && depth_b > 0)) return Between(edge.a, edge.b, share);
+    const double weighted = share * depth_a;
+    return Between(edge.a, edge.b, weighted / (weighted + (1 - share) * depth_b));
+  };
+  return {at(std::min(reading.cover.at_a, reading.cover.at_b)),
+          at(std::max(reading.cover.at_a, reading.cover.at_b))};
+}
+
 }  // namespace
 
 Result<WorldLine> Lift(const Segment2& drawn, const Candidates& candidates, const Camera& camera,
@@ -164,7 +179,8 @@ Result<WorldLine> Lift(const Segment2& drawn, const Candidates& candidates, cons
   line.camera = camera;
   for (const Reading& r : Choose(hits, sought, candidates, parameters.most_per_operation)) {
     const double fitness = std::exp(-r.squared_px / (radius * radius));  // (6.13)
-    line.alternatives.push_back({r.world, fitness, r.operation, r.free_ends});
+    const Segment3 world = r.cover.free_ends > 0 ? CoveredPart(r, camera) : r.world;
+    line.alternatives.push_back({world, fitness, r.operation, r.cover.free_ends});
   }
   line.world = line.alternatives.front().world;
   line.fitness = line.alternatives.front().fitness;

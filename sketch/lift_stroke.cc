@@ -16,13 +16,9 @@ double WorthOf(const WorldLine& line, const View& view, const SketchParameters& 
   const auto screen = view.Project(line.world);
   if (!screen) return 0;
   const double deviation = parameters.noise.Deviation_px(glm::distance(line.drawn.a, line.drawn.b));
-  const int free_ends = line.alternatives.front().free_ends;
-  const double free_end = parameters.parts.free_end;
-  const Cover cover = free_ends == 0
-                          ? Cover{0, 1, SquaredEndDistance(line.drawn, *screen), 0}
-                          : CoverOf(line.drawn, *screen, 2 * free_end * deviation * deviation);
-  const double squared = cover.squared_px / (deviation * deviation);
-  return parameters.lift.line_worth - free_end * cover.free_ends -
+  const double squared = SquaredEndDistance(line.drawn, *screen) / (deviation * deviation);
+  return parameters.lift.line_worth -
+         parameters.parts.free_end * line.alternatives.front().free_ends -
          DampedError(squared, parameters.descent.outlier_deviations) / 2;
 }
 

@@ -10,11 +10,10 @@ namespace {
 // "The same place", of the item's diagonal: above rounding, far below what a pen can tell.
 constexpr double kSamePlace = 1e-6;
 
-double DistanceToSegment(const Vec3& p, const Segment3& s) {
-  const Vec3 along = s.b - s.a;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0 ? std::clamp(glm::dot(p - s.a, along) / squared, 0.0, 1.0) : 0.0;
-  return glm::distance(p, s.a + along * t);
+double SquaredDistance(const Vec3& p, const Vec3& from, const Vec3& along, double per_squared) {
+  const Vec3 way = p - from;
+  const Vec3 beside = way - along * std::clamp(glm::dot(way, along) * per_squared, 0.0, 1.0);
+  return glm::dot(beside, beside);
 }
 
 bool SameSegment(const Segment3& s, const Segment3& t, double tolerance) {
@@ -54,12 +53,20 @@ MadeEdges::MadeEdges(const grammar::Item& item)
     : item_(&item),
       item_edges_(grammar::EdgesOf(item)),
       diagonal_m_(DiagonalOf(item)),
-      tolerance_m_(kSamePlace * diagonal_m_) {}
+      tolerance_m_(kSamePlace * diagonal_m_) {
+  for (const Segment3& edge : item_edges_) {
+    const Vec3 along = edge.b - edge.a;
+    const double squared = glm::dot(along, along);
+    rays_.push_back({edge.a, along, squared > 0 ? 1 / squared : 0});
+  }
+}
 
 bool MadeEdges::LiesOnItem(const Segment3& edge) const {
-  return std::any_of(item_edges_.begin(), item_edges_.end(), [&](const Segment3& known) {
-    return DistanceToSegment(edge.a, known) <= tolerance_m_ &&
-           DistanceToSegment(edge.b, known) <= tolerance_m_;
+  const double near = tolerance_m_ * tolerance_m_;
+  return std::any_of(rays_.begin(), rays_.end(), [&](const Ray& known) {
+    const auto& [from, along, per_squared] = known;
+    return SquaredDistance(edge.a, from, along, per_squared) <= near &&
+           SquaredDistance(edge.b, from, along, per_squared) <= near;
   });
 }
 

@@ -33,10 +33,17 @@ class MadeEdges {
   const std::vector<Segment3>& item_edges() const { return item_edges_; }
 
  private:
+  // An edge of the item, ready for distances; asked for every edge that is ever made.
+  struct Ray {
+    Vec3 from, along;
+    double per_squared;  // 1 / its squared length; 0 for one of no length
+  };
+
   bool LiesOnItem(const Segment3& edge) const;
 
   const grammar::Item* item_;
   std::vector<Segment3> item_edges_;
+  std::vector<Ray> rays_;
   double diagonal_m_ = 0;
   double tolerance_m_ = 0;
 };

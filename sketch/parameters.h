@@ -72,7 +72,10 @@ struct CandidateParameters {
   /// this share of the item's diagonal, which would repeat it finer than anyone draws.
   int most_lengths = 96;
   double finest = 0.005;
-  bool parts = false;  ///< which edges lie on the item is found out: those may be drawn in part
+  /// Rarer operations are sampled too, and which edges lie on the item is found out: those may be
+  /// drawn in part.
+  bool generous = false;
+  int most_rarer_lengths = 24;  ///< their edges move evenly with the length, and cost more
 };
 
 /// From a drawn line to lines in the world (6.12, 6.13).
@@ -108,6 +111,8 @@ struct HeuristicParameters {
   double tie = 1;              ///< each size that is kept equal to another
   double repeat_is_meant = 2;  ///< a split into three equal parts and more
   double repeat_of_two = 6;    ///< a repeat shown by a single line
+  double roof = 12;            ///< a roof at once: as much as one line is worth, so one says none
+  double wings = 6;            ///< a shape in L, U or O
   double alike_faces = 0.1;    ///< comp with all faces alike against side and top
 };
 

@@ -42,7 +42,7 @@ grammar::Action Readable(const grammar::Action& action, const MadeEdges& made,
   if (!error) return action;
   grammar::Action exact = action;
   for (const grammar::Dial& dial : grammar::Dials(&exact)) {
-    if (dial.kind != grammar::ParameterKind::kLength) continue;
+    if (dial.kind == grammar::ParameterKind::kFactor) continue;
     const double value = *dial.value;
     for (const double step : kSteps_m) {
       const double rounded = Rounded(value, step);

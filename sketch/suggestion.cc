@@ -201,6 +201,21 @@ Result<Candidates> CandidatesFor(const grammar::Item& item, const Camera& camera
 
 using Strokes = std::vector<std::vector<StrokeReading>>;
 
+// Whether more was lost than hooks and other slips of the pen.
+bool LosesLines(const SketchReading& reading, const PartParameters& parameters) {
+  double found_px = 0;
+  for (const WorldLine& line : reading.configuration.lines) {
+    found_px += glm::distance(line.drawn.a, line.drawn.b);
+  }
+  return reading.lost_px > parameters.slip * found_px;
+}
+
+// What a reading is worth to one that finds other lines: lost ones are left over.
+double WorthOfAll(const SketchReading& reading, const PartParameters& parameters) {
+  const double lost = LosesLines(reading, parameters) ? reading.lost_lines : 0;
+  return reading.worth - parameters.left_over * lost;
+}
+
 // The first reading where it explains every line, or about as much as the generous one.
 Result<SketchReading> ReadTwice(const Strokes& strokes, const grammar::Item& item,
                                 const Camera& camera, const SketchParameters& parameters) {
@@ -209,7 +224,8 @@ Result<SketchReading> ReadTwice(const Strokes& strokes, const grammar::Item& ite
   if (!first && first.error().code != ErrorCode::kNoFit) return first;
   auto second = ReadSketch(strokes, item, camera, Generous(parameters));
   if (!second) return first;
-  const bool better = !first || second->worth > first->worth + parameters.parts.least_gain;
+  const auto worth = [&](const SketchReading& r) { return WorthOfAll(r, parameters.parts); };
+  const bool better = !first || worth(*second) > worth(*first) + parameters.parts.least_gain;
   return better ? second : first;
 }
 
@@ -217,17 +233,13 @@ Result<SketchReading> ReadTwice(const Strokes& strokes, const grammar::Item& ite
 
 SketchParameters Generous(SketchParameters parameters) {
   parameters.parts.allowed = true;
-  parameters.candidates.parts = true;
+  parameters.candidates.generous = true;
   parameters.heuristics.partly = true;
   return parameters;
 }
 
 bool ExplainsAll(const SketchReading& reading, const PartParameters& parameters) {
-  double found_px = 0;
-  for (const WorldLine& line : reading.configuration.lines) {
-    found_px += glm::distance(line.drawn.a, line.drawn.b);
-  }
-  return reading.lost_px <= parameters.slip * found_px &&
+  return !LosesLines(reading, parameters) &&
          reading.suggestions.front().worst_line < parameters.unexplained;
 }
 

@@ -47,6 +47,10 @@ std::string NameOfComponent(grammar::Selector::Kind kind, bool flat) {
       return flat ? "RoofInner" : "Inner";
     case Kind::kBorder:
       return flat ? "RoofBorder" : "Border";
+    case Kind::kShape:
+      return "Wings";
+    case Kind::kRemainder:
+      return flat ? "Yard" : "Rest";
     default:
       return "Face";
   }

@@ -55,7 +55,6 @@ constinit const Operation kRoofGable = {
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,
-    .sampled = false,
     .apply = ApplyRoofGable,
 };
 

@@ -25,7 +25,6 @@ constinit const Operation kRoofHip = {
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,
-    .sampled = false,
     .apply = ApplyRoofHip,
 };
 

@@ -26,7 +26,6 @@ constinit const Operation kRoofPyramid = {
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,
-    .sampled = false,
     .apply = ApplyRoofPyramid,
 };
 

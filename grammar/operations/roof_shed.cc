@@ -37,7 +37,6 @@ constinit const Operation kRoofShed = {
     .takes = Types(ItemType::kPlanar),
     .gives = Types(ItemType::kVolume),
     .in_place = false,
-    .sampled = false,
     .apply = ApplyRoofShed,
 };
 

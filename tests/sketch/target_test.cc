@@ -60,6 +60,16 @@ TEST(RankTargets, ALineFromInsideAFacadeToItsEdgeMeansThatFacade) {
   EXPECT_EQ(TargetOf({down}, house.Items()), 1u);
 }
 
+TEST(RankTargets, AGableOverTheEndOfAHouseIsARoofOverItsFlatOne) {
+  const House house;
+  const auto gable = Draw({At(house.roof, 20, 0), At(house.roof, 20, 6, 4), At(house.roof, 20, 12)},
+                          tests::HouseCamera(), kShaky_px);
+  const auto ranked = RankTargets({gable}, tests::HouseCamera(), house.Items());
+  ASSERT_TRUE(ranked);
+  EXPECT_EQ(ranked->front().item, 4u);
+  EXPECT_EQ(ranked->front().reading.suggestions.front().action.operation->name, "roofGable");
+}
+
 TEST(RankTargets, ADoorOnAFacadeMeansThatFacade) {
   const House house;
   const auto door = Draw({At(house.south, 9, 0), At(house.south, 9, 3), At(house.south, 11, 3),
