@@ -35,7 +35,8 @@ float LineSpacing_m(std::span<const render::Faces> faces) {
   std::sort(widths.begin(), widths.end(),
             [](const Width& a, const Width& b) { return a.width_m < b.width_m; });
   for (const Width& width : widths) {
-    if ((up_to_m += width.length_m) >= 0.5 * all_m) return width.width_m;
+    up_to_m += width.length_m;
+    if (up_to_m >= 0.5 * all_m) return width.width_m;
   }
   return 0;
 }

@@ -44,20 +44,27 @@ bool IsGiven(const grammar::RuleSettings& settings, const std::string& name) {
                      [&](const auto& given) { return given.first == name; });
 }
 
-Result<void> CheckProperty(const LotProperty& property, const Attribute& attribute) {
+/// What the attribute takes of it. Texts are read as `--set` reads them: many files, such as those
+/// of OpenStreetMap, write their numbers in quotes.
+Result<Value> Taken(const LotProperty& property, const Attribute& attribute, const RuleSet& rules) {
   const grammar::ValueType type = attribute.value.type;
-  if (!property.value || grammar::TypeOf(*property.value) != type) {
+  std::optional<Value> value = property.value;
+  const auto* text = value ? std::get_if<std::string>(&*value) : nullptr;
+  if (text != nullptr) {
+    if (auto read = grammar::AttributeValue(rules, attribute.name, *text)) value = read->value;
+  }
+  if (!value || grammar::TypeOf(*value) != type) {
     return Fail(ErrorCode::kBadArguments,
                 fmt::format("property '{}' is {}, not a {}", property.name, Written(property.value),
                             NameOf(type)),
                 fmt::format("mend the file, or give all lots one: --set {}=…", property.name));
   }
-  if (auto allowed = grammar::CheckAllowed(attribute, *property.value); !allowed) {
+  if (auto allowed = grammar::CheckAllowed(attribute, *value); !allowed) {
     Error error = allowed.error();
     error.message = fmt::format("property '{}': {}", property.name, error.message);
     return tl::unexpected<Error>(std::move(error));
   }
-  return {};
+  return *value;
 }
 
 }  // namespace
@@ -88,12 +95,13 @@ Result<std::vector<GivenValue>> ValuesOf(const Lot& lot, const RuleSet& rules,
     const Attribute& attribute = rules.attributes[i];
     const LotProperty* property = PropertyNamed(lot.properties, attribute.name);
     if (property == nullptr || attribute.constant || IsGiven(settings, attribute.name)) continue;
-    if (const auto fits = CheckProperty(*property, attribute); !fits) {
-      Error error = fits.error();
+    auto value = Taken(*property, attribute, rules);
+    if (!value) {
+      Error error = value.error();
       error.message = fmt::format("lot '{}': {}", lot.name, error.message);
       return tl::unexpected<Error>(std::move(error));
     }
-    values.push_back({i, *property->value});
+    values.push_back({i, std::move(*value)});
   }
   return values;
 }

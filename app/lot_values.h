@@ -18,8 +18,9 @@ LotProperties PropertiesIn(const Json& object);
 /// An object whose PropertiesIn are these.
 Json JsonOf(const LotProperties& properties);
 
-/// What a lot gives the rules' attributes. Properties without an attribute, constants, and
-/// attributes that the settings give a value of their own are passed over.
+/// What a lot gives the rules' attributes; texts are numbers and truths where they read as such.
+/// Properties without an attribute, constants, and attributes that the settings give a value of
+/// their own are passed over.
 /// errors  kBadArguments  a value of another type, or none of @Enum;  kBadNumber  outside @Range;
 ///         both name the lot and the property.
 Result<std::vector<grammar::GivenValue>> ValuesOf(const Lot& lot, const grammar::RuleSet& rules,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "grammar/operation.h"
+#include "grammar/operations/roof_parts.h"
 
 namespace parti::grammar {
 namespace {
@@ -87,12 +88,11 @@ std::vector<Successor> SelectorsOf(const Operation& row) {
 /// Where the row's length stands: its first argument of that kind. Roofs are told their height,
 /// which the argument before says. The number of parameters where there is none.
 size_t LengthOf(const Operation& row, Action* action) {
-  static const std::string kByHeight = "byHeight";
   for (size_t i = 0; i < row.parameters.size(); ++i) {
     const Parameter& parameter = row.parameters[i];
     if (parameter.kind == ParameterKind::kLength) return i;
-    if (std::ranges::count(parameter.words, kByHeight) == 0) continue;
-    action->arguments[i] = kByHeight;
+    if (parameter.words.data() != kPitchWords.data()) continue;
+    action->arguments[i] = std::string(kPitchWords[1]);
     return i + 1;
   }
   return row.parameters.size();
@@ -127,7 +127,8 @@ std::vector<Dial> Dials(Action* action) {
     const Parameter& p = action->operation->parameters[i];
     double* value = std::get_if<double>(&action->arguments[i]);
     if (value == nullptr || !IsNumber(p.kind) || *value < p.low) continue;  // left out
-    dials.push_back({std::string(p.name), value, p.low, p.high, p.kind});
+    const ParameterKind kind = IsHeight(*action, i) ? ParameterKind::kLength : p.kind;
+    dials.push_back({std::string(p.name), value, p.low, p.high, kind});
   }
   int number = 0;
   AddSizeDials(&action->successors, &number, &dials);

@@ -76,7 +76,7 @@ grammar::Action RepeatAction(const grammar::Operation& repeat, grammar::Axis axi
 
 grammar::Action RoofAction(const grammar::Operation& roof, double height_m) {
   grammar::Action action = grammar::Default(roof);
-  action.arguments[0] = std::string("byHeight");
+  action.arguments[0] = std::string(roof.parameters[0].words[1]);
   action.arguments[1] = height_m;
   return action;
 }

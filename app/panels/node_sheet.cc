@@ -52,6 +52,11 @@ std::string UnitOfDial(const Action& action, const Dial& dial) {
 /// "Size of Ground" for sizes[0].
 std::string LabelOf(const Action& action, const Dial& dial) {
   std::string label = dial.name;
+  const grammar::Parameter* parameter = ParameterNamed(action, dial.name);
+  if (parameter && parameter->kind == ParameterKind::kAngle &&
+      dial.kind == ParameterKind::kLength) {
+    label = "height";  // of a roof
+  }
   int number = 0;
   if (std::sscanf(dial.name.c_str(), "sizes[%d]", &number) == 1 && number >= 0) {
     const grammar::Successor& successor = grammar::SuccessorAt(action, number);

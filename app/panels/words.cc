@@ -121,6 +121,23 @@ std::string Repeated(const Action& action) {
   return fmt::format("Repeat {}: {}", Along(action), Parts(action));
 }
 
+/// "Gable roof 3 m high" or "Gable roof 35°".
+std::string Roof(std::string_view kind, Action action) {
+  const std::vector<grammar::Dial> dials = grammar::Dials(&action);
+  const bool high = dials.at(0).kind == grammar::ParameterKind::kLength;
+  const std::string number = PlainNumber(*dials[0].value);
+  return fmt::format("{} roof {}{}", kind, number, high ? " m high" : "°");
+}
+
+/// "L shape: 3 m, 4 m".
+std::string Wings(std::string_view letter, const Action& action) {
+  std::string widths;
+  for (size_t i = 0; i < action.arguments.size(); ++i) {
+    widths += (i == 0 ? ": " : ", ") + Metres(NumberOf(action, i));
+  }
+  return fmt::format("{} shape{}", letter, widths);
+}
+
 /// Of operations without words of their own: their name, with a capital, and what they were told.
 std::string Named(const Action& action) {
   std::string words = Capital(std::string(action.operation->name));
@@ -153,6 +170,13 @@ constexpr Row kRows[] = {
     {"repeat", Icon::kRepeat, Repeated},
     {"comp", Icon::kComp, Taken},
     {"offset", Icon::kOffset, Offset},
+    {"roofHip", Icon::kOperation, [](const Action& a) { return Roof("Hip", a); }},
+    {"roofGable", Icon::kOperation, [](const Action& a) { return Roof("Gable", a); }},
+    {"roofPyramid", Icon::kOperation, [](const Action& a) { return Roof("Pyramid", a); }},
+    {"roofShed", Icon::kOperation, [](const Action& a) { return Roof("Shed", a); }},
+    {"shapeL", Icon::kOperation, [](const Action& a) { return Wings("L", a); }},
+    {"shapeU", Icon::kOperation, [](const Action& a) { return Wings("U", a); }},
+    {"shapeO", Icon::kOperation, [](const Action& a) { return Wings("O", a); }},
     {"color", Icon::kColor, Named},
     {"tag", Icon::kTag, Named},
 };

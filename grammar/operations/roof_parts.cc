@@ -40,9 +40,13 @@ double NumberAt(const Action& action, size_t argument) {
   return std::get<double>(action.arguments[argument]);
 }
 
-RoofPitch PitchOf(const Action& action) {
-  return {std::get<std::string>(action.arguments[0]) == kPitchWords[1], NumberAt(action, 1)};
+bool IsHeight(const Action& action, size_t argument) {
+  const auto parameters = action.operation->parameters;
+  return argument == 1 && !parameters.empty() && parameters[0].words.data() == kPitchWords.data() &&
+         std::get<std::string>(action.arguments[0]) == kPitchWords[1];
 }
+
+RoofPitch PitchOf(const Action& action) { return {IsHeight(action, 1), NumberAt(action, 1)}; }
 
 Result<std::vector<Product>> RoofOver(const Item& planar, Result<Mesh> roof) {
   if (!roof) return Fail(roof);

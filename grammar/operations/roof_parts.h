@@ -18,6 +18,8 @@ Parameter PitchParameter(double default_deg);
 /// A distance from 0 to 100 m that may be left out.
 Parameter OverhangParameter(std::string_view name, std::string_view doc);
 
+/// Whether the argument says how high a roof is [m], and not its angle.
+bool IsHeight(const Action& action, size_t argument);
 /// What the first two arguments say.
 RoofPitch PitchOf(const Action& action);
 /// An argument that is a number.

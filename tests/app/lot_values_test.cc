@@ -46,6 +46,14 @@ TEST(LotValues, PropertiesBecomeValuesOfAttributesOfTheSameName) {
   EXPECT_EQ(values->at(2).value, grammar::Value("wood"));
 }
 
+TEST(LotValues, NumbersAndTruthsMayStandInQuotes) {
+  const auto values =
+      ValuesOf(LotWith(R"({"floors":"4","flat":"true","wall":"wood"})"), RulesFrom(kRules), {});
+  ASSERT_TRUE(values);
+  EXPECT_EQ(values->at(0).value, grammar::Value(4.0));
+  EXPECT_EQ(values->at(1).value, grammar::Value(true));
+}
+
 TEST(LotValues, ConstantsNullAndOtherCapitalsArePassedOver) {
   const auto values =
       ValuesOf(LotWith(R"({"height":9,"floors":null,"Floors":99})"), RulesFrom(kRules), {});
@@ -54,8 +62,8 @@ TEST(LotValues, ConstantsNullAndOtherCapitalsArePassedOver) {
 }
 
 TEST(LotValues, WhatAnAttributeDoesNotTakeIsAnErrorThatNamesLotAndProperty) {
-  for (const char* properties :
-       {R"({"floors":"4"})", R"({"floors":true})", R"({"floors":[4]})", R"({"floors":{"a":4}})"}) {
+  for (const char* properties : {R"({"floors":"4 m"})", R"({"floors":""})", R"({"floors":true})",
+                                 R"({"floors":[4]})", R"({"floors":{"a":4}})"}) {
     EXPECT_THAT(ErrorOf(properties), HasSubstr("lot 'b': property 'floors' is ")) << properties;
     EXPECT_THAT(ErrorOf(properties), HasSubstr("not a number")) << properties;
   }

@@ -185,6 +185,9 @@ TEST(PanelWordsTest, OperationsAreSaidPlainly) {
             "Split upward: 4 m, repeated (about 3 m), 1 m");
   EXPECT_EQ(Words("comp(f) { side: A | top: B }"), "Take faces: side, top");
   EXPECT_EQ(Words("comp(fe) { all: A }"), "Take face edges: all");
+  EXPECT_EQ(Words("roofGable(35)"), "Gable roof 35°");
+  EXPECT_EQ(Words("roofHip(byHeight, 4)"), "Hip roof 4 m high");
+  EXPECT_EQ(Words("shapeL(3, 4.5) { shape: A | remainder: B }"), "L shape: 3 m, 4.5 m");
   EXPECT_EQ(Words("color(\"#7e98a8\")"), "Color #7e98a8");
 }
 
