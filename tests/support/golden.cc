@@ -68,7 +68,6 @@ void ExpectPicture(const Image& image, const std::string& path, const GoldenTole
   const PictureDifference difference = Compare(image, *golden, tolerance);
   const double allowed = tolerance.fraction * image.width * image.height;
   const double crowd = tolerance.crowd * kCrowd_px * kCrowd_px;
-  fprintf(stderr, "CROWD %s %zu %zu\n", path.c_str(), difference.crowd, difference.pixels);
   if (difference.same_size && static_cast<double>(difference.pixels) <= allowed &&
       static_cast<double>(difference.crowd) <= crowd) {
     return;
