@@ -92,6 +92,8 @@ Result<std::unique_ptr<GlContext>> CreateOsMesaContext() {
 #ifdef __SANITIZE_ADDRESS__
 /// OSMesa keeps some 160 bytes of each context that it destroys; nothing of ours is in it.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+/// Nor is it told at the end of each program that draws: tests compare what those print.
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 /// The thread-local data of libraries that are loaded as the program runs, as OSMesa is: g++ 12's
 /// ASan guesses their place from bytes that glibc 2.36 no longer writes wherever one begins 16
 /// bytes into a page, and LeakSanitizer then dies of reading there (sanitizer_tls_get_addr.cpp).

@@ -6,6 +6,7 @@ wait has a limit; a machine that doesn't answer raises MachineError with the end
 """
 import base64
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -23,6 +24,11 @@ ORDER_LIMIT_S = 60
 KEY_S = 0.15  # QEMU holds a key for 0.1 s
 
 KEYS = {" ": ("spc",), "-": ("minus",), ".": ("dot",), "/": ("slash",), "_": ("shift", "minus")}
+
+
+def bound_to_us(command):
+    """The command such that it goes with this program, should that be killed; also before it has begun."""
+    return ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"', str(os.getpid()), *command]
 
 
 class MachineError(Exception):
@@ -51,7 +57,7 @@ class Machine:
         self._number = 0
         with (folder / "qemu.log").open("wb") as complaints:
             self._qemu = subprocess.Popen(
-                self._command(kernel, initramfs, disk), cwd=folder, stdin=subprocess.DEVNULL,
+                bound_to_us(self._command(kernel, initramfs, disk)), cwd=folder, stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL, stderr=complaints)
 
     def __enter__(self):
@@ -67,9 +73,7 @@ class Machine:
 
     def _command(self, kernel, initramfs, disk):
         width, height = SCREEN
-        # Should this program be killed, QEMU goes with it.
-        return ["setpriv", "--pdeathsig", "KILL",
-                "qemu-system-x86_64", "-accel", "tcg,thread=single", "-icount", "shift=0", "-cpu", "max", "-smp", "1",
+        return ["qemu-system-x86_64", "-accel", "tcg,thread=single", "-icount", "shift=0", "-cpu", "max", "-smp", "1",
                 "-m", "2048", "-nodefaults", "-no-reboot", "-display", "none",
                 "-device", f"virtio-gpu-pci,id=card,xres={width},yres={height},max_outputs={len(SOCKETS)}",
                 *self.screens.arguments("card"),

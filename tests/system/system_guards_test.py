@@ -126,7 +126,7 @@ class Hands(unittest.TestCase):
         self.assertIn("148.8800,84.6200", act.drawing().decode())
 
 
-# A run of two stages whose machine is a sleeping child of setpriv; arguments: its limits [s].
+# A run of two stages whose machine is a sleeping child; arguments: its limits [s].
 SLEEPY_RUN = """
 import pathlib, sys, tempfile, time
 sys.path.insert(0, {here!r})
@@ -135,7 +135,7 @@ from timetable import Timetable
 
 class Bed(Machine):
     def _command(self, *_):
-        return ["setpriv", "--pdeathsig", "KILL", "sleep", "300"]
+        return ["sleep", "300"]
     def _wait_for_boot(self):
         pass
 
