@@ -137,7 +137,10 @@ Result<void> Application::Turn(double wait_s, std::span<const int> also) {
 }
 
 bool Application::Settled() const {
-  return snapshot_->executed >= posted_ && !snapshot_->busy && !picture_->busy() &&
+  const DocumentStatus& document = snapshot_->document;
+  const bool saving =
+      !document.read_only && !document.trouble && snapshot_->acknowledged < snapshot_->executed;
+  return snapshot_->executed >= posted_ && !snapshot_->busy && !saving && !picture_->busy() &&
          !canvas_->NeedsDraw() && !sync_at_s_ &&
          !((panels_stale_ || word_stale_) && !ink_->drawing()) && !drag_begun_ &&
          !aside_.next_s() && !display_->HasNews() && fed_.empty() && !folders_.busy() &&

@@ -70,8 +70,8 @@ class Application {
   /// What the display shows, drawn anew. errors  kGraphics.
   Result<render::Image> Screenshot();
 
-  /// Nothing is being executed, painted or waits to be drawn: what is on the display is all there
-  /// is to see.
+  /// Nothing is being executed, saved, painted or waits to be drawn: what is on the display is all
+  /// there is to see.
   bool Settled() const;
 
   const Settings& settings() const { return settings_; }
