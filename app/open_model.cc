@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "app/commands/commands.h"
@@ -85,10 +86,10 @@ void ShowSkipped(const UsedLots& used) {
   for (const Error& error : used.skipped) {
     Error shown = error;
     shown.message = "skipped " + shown.message;
-    fmt::print(stderr, "{}\n", FormatNote(shown));
+    Say(FormatNote(shown));
   }
   if (skipped == 0) return;
-  fmt::print(stderr, "parti: skipped {} of {} lots\n", skipped, skipped + used.ground->lots.size());
+  Say(fmt::format("parti: skipped {} of {} lots", skipped, skipped + used.ground->lots.size()));
 }
 
 tl::expected<OpenedModel, std::vector<Error>> FromText(const ModelOptions& options,
@@ -128,16 +129,17 @@ std::string SecondsError(const std::string& text) {
   double seconds = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, seconds);
-  if (read.ec == std::errc() && read.ptr == end && seconds >= 0) return "";
-  return fmt::format("--seconds is a time from 0 on, not '{}'", text);
+  if (read.ec == std::errc() && read.ptr == end && seconds >= 0 && std::isfinite(seconds))
+    return "";
+  return fmt::format("--seconds is a time from 0 on, 0 for any, not '{}'", text);
 }
 
 void ShowPrints(const std::vector<grammar::LotNotes>& notes) {
   for (size_t lot = 0; lot < notes.size(); ++lot) {
     const std::string which = notes.size() > 1 ? fmt::format("lot-{}: ", lot) : "";
-    for (const std::string& line : notes[lot].prints) fmt::print(stderr, "{}{}\n", which, line);
+    for (const std::string& line : notes[lot].prints) Say(fmt::format("{}{}", which, line));
     if (notes[lot].more_prints == 0) continue;
-    fmt::print(stderr, "{}parti: {} more lines were printed\n", which, notes[lot].more_prints);
+    Say(fmt::format("{}parti: {} more lines were printed", which, notes[lot].more_prints));
   }
 }
 
@@ -190,7 +192,7 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
 }
 
 void ReportSkipped(const grammar::RuleSet& rules) {
-  for (const std::string& what : rules.skipped) fmt::print(stderr, "parti: skipped {}\n", what);
+  for (const std::string& what : rules.skipped) Say(fmt::format("parti: skipped {}", what));
 }
 
 int ReportAll(const std::vector<Error>& errors) {

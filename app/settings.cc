@@ -33,7 +33,8 @@ std::string SettingsPath() {
 }
 
 Result<Settings> ReadSettings(const std::string& path) {
-  if (path.empty() || !std::filesystem::exists(path)) return Settings{};
+  std::error_code unreachable;  // another user's, say: no reason not to start
+  if (path.empty() || !std::filesystem::exists(path, unreachable)) return Settings{};
   const auto text = ReadFile(path);
   if (!text) return Fail(text);
   const auto json = ParseJson(*text, path);

@@ -39,7 +39,7 @@ int RunCheck(const CheckOptions& options) {
                    "write Lot --> extrude(12) Mass"});
   }
   for (const Error& remark : grammar::RemarksOn(*rules)) {
-    fmt::print(stderr, "{}\n", FormatNote(remark));
+    Say(FormatNote(remark));
   }
   return PrintAnswer(fmt::format(
       "{}: {}, {}, {}\n", options.file, Counted(rules->rules.size(), "rule"),

@@ -8,9 +8,14 @@
 
 namespace parti::app {
 
-int Report(const Error& error) {
+void Say(const std::string& line) {
   // fmt::print would throw where standard error can't be written, and there is nobody left to tell.
-  std::fputs((FormatError(error) + "\n").c_str(), stderr);
+  const std::string whole = line + "\n";
+  std::fwrite(whole.data(), 1, whole.size(), stderr);
+}
+
+int Report(const Error& error) {
+  Say(FormatError(error));
   return kFailed;
 }
 

@@ -19,6 +19,9 @@ using Run = std::function<int()>;
 /// Prints an error to standard error in the house's form; returns kFailed.
 int Report(const Error& error);
 
+/// Prints a line to standard error; one that can't be written is nobody's loss.
+void Say(const std::string& line);
+
 /// Prints an answer to standard output, whole and at once. Returns kDone; kFailed, reported, where
 /// it can't be written.
 int PrintAnswer(std::string_view text);

@@ -193,8 +193,8 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
 
 /// What a new user is to try, for whoever started the program from a terminal.
 void Greet(const Display& display) {
-  fmt::print(stderr, "parti: {}. Draw a closed outline on the ground, then a line up from it.\n",
-             display.Description());
+  Say(fmt::format("parti: {}. Draw a closed outline on the ground, then a line up from it.",
+                  display.Description()));
 }
 
 /// What the command line has besides; kDone where that is nothing but the mark before file names.

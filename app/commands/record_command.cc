@@ -68,7 +68,7 @@ Result<std::string> Record(const Options& options) {
   if (!recorder) return Fail(recorder);
   StopOnSignals();
   if (::isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "recording to {}; Ctrl-C ends it\n", options.out);
+    Say(fmt::format("recording to {}; Ctrl-C ends it", options.out));
   }
   auto fine = recorder->Add(*first);
   if (fine) fine = RecordEvents(options, *source, *recorder);

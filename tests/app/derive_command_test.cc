@@ -136,7 +136,7 @@ TEST(DeriveCommand, ASeedIsAWholeNumberThatFits) {
     EXPECT_EQ(run.status, 2) << seed;
     EXPECT_THAT(run.errors, HasSubstr("from 0 to 18446744073709551615")) << seed;
   }
-  for (const char* seconds : {"-1", "nan"}) {
+  for (const char* seconds : {"-1", "nan", "inf"}) {
     EXPECT_EQ(RunParti({"derive", rules, "--seconds", seconds}).status, 2) << seconds;
   }
 }

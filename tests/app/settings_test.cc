@@ -24,6 +24,12 @@ TEST_F(SettingsTest, ANewUserHasTheUsualOnes) {
   EXPECT_EQ(*settings, Settings{});
 }
 
+TEST_F(SettingsTest, APlaceThatCantBeLookedIntoHasNone) {
+  const auto settings = ReadSettings(folder_ + "/" + std::string(300, 'x') + "/settings.json");
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(*settings, Settings{});
+}
+
 TEST_F(SettingsTest, WhatIsWrittenReadsBack) {
   const Settings settings{Theme::kDark, 1.5, true, true, "lower select"};
   ASSERT_TRUE(WriteSettings(settings, path_));
