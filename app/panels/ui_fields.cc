@@ -18,7 +18,12 @@ int Resize(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-double Rounded(double value, double step) { return std::round(value / step) * step; }
+/// The multiple of `step` next to `value`, as a person would write it: 0.3, not
+/// 0.30000000000000004, into which six times 0.05 falls. Steps have six decimals at most.
+double Rounded(double value, double step) {
+  constexpr double kDecimals = 1e6;
+  return std::round(std::round(value / step) * step * kDecimals) / kDecimals;
+}
 
 }  // namespace
 

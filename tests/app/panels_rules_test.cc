@@ -1,8 +1,10 @@
 // The rules, the node in hand and tapped shapes, through their input only.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
 
+#include "app/session.h"
 #include "tests/app/panels_driver.h"
 
 namespace parti::app::tests {
@@ -137,6 +139,23 @@ TEST_F(PanelsRules, AStepOfANumberSetsIt) {
   const auto& set = std::get<SetNumber>(std::get<Command>(commands[0]));
   EXPECT_EQ(set.dial, "sizes[0]");
   EXPECT_NEAR(set.value, 3.1, 0.051);
+}
+
+TEST_F(PanelsRules, StepsGiveTheDecimalsThatTheyShow) {
+  Take({0, 0, 0, 0, 0});
+  Session session(panels_.view.session->state->model, Camera());
+  constexpr int kSteps = 40;
+  for (int i = 0; i < kSteps; ++i) {
+    const auto sent = panels_.Tap("Node/More sizes[0]");
+    ASSERT_EQ(sent.size(), 1u);
+    const auto& set = std::get<SetNumber>(std::get<Command>(sent[0]));
+    EXPECT_LE(fmt::format("{}", set.value).size(), 4u) << fmt::format("{} m", set.value);
+    ASSERT_TRUE(session.Execute(Command(app::Take{{0, 0, 0, 0, 0}})));
+    ASSERT_TRUE(session.Execute(Command(set)));
+    auto next = std::make_shared<SessionSnapshot>(*panels_.view.session);
+    next->state = std::make_shared<const SessionState>(session.state());
+    panels_.view.session = next;
+  }
 }
 
 TEST_F(PanelsRules, ADragShowsItsNumbersAndSetsTheLastOnce) {
