@@ -43,9 +43,9 @@ AcknowledgementLog::~AcknowledgementLog() {
 
 Result<void> AcknowledgementLog::Note(const SessionSnapshot& snapshot) {
   std::string lines;
-  if (snapshot.last_error && snapshot.last_error->number > failed_) {
+  if (snapshot.last_error && snapshot.last_error->number != failed_) {
     failed_ = snapshot.last_error->number;
-    lines += fmt::format("failed {}: {}\n", failed_, snapshot.last_error->error.message);
+    lines += fmt::format("failed {}: {}\n", *failed_, snapshot.last_error->error.message);
   }
   if (snapshot.acknowledged > acknowledged_) {
     acknowledged_ = snapshot.acknowledged;

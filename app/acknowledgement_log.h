@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "app/session_snapshot.h"
@@ -11,7 +12,8 @@
 
 namespace parti::app {
 
-/// Lines "acknowledged N" with the number of the last request that is safe, and "failed N: why".
+/// Lines "acknowledged N" with the number of the last request that is safe, and "failed N: why"; N is 0
+/// for opening the document that the program was started with.
 class AcknowledgementLog {
  public:
   /// Appends to the file, which is made where there is none; a device or a FIFO is written into.
@@ -30,7 +32,7 @@ class AcknowledgementLog {
   int fd_;
   std::string path_;
   uint64_t acknowledged_ = 0;
-  uint64_t failed_ = 0;
+  std::optional<uint64_t> failed_;
 };
 
 }  // namespace parti::app

@@ -57,7 +57,7 @@ struct DocumentStatus {
 
 /// A request that failed, and why; it changed nothing, except that a stroke stays as ink.
 struct FailedRequest {
-  uint64_t number = 0;
+  uint64_t number = 0;  ///< 0: opening the document that the program was started with
   Error error;
   bool mended = false;  ///< one after it has been done, and more than looked: nobody need read it
 };

@@ -133,7 +133,7 @@ class SessionThread::Impl {
   void Work() {
     StartAnew(true);
     if (!options_.path.empty()) {
-      const auto opened = Open({DocumentRequest::Kind::kOpen, options_.path});
+      const auto opened = Open({DocumentRequest::Kind::kOpen, options_.path}, 0);
       if (!opened) Note(0, opened.error());
     }
     document_->Executed({});
@@ -145,7 +145,7 @@ class SessionThread::Impl {
       if (!done) {
         Note(request->number, done.error());
       } else if (!request->moot && !IsLook(*request->what)) {
-        NoteMended();
+        NoteMended(request->number);
       }
       document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
       PublishState(request->number);
@@ -189,17 +189,17 @@ class SessionThread::Impl {
     }
     const auto& about = std::get<DocumentRequest>(*request.what);
     SetDoing(Doing(about));
-    auto done = DoDocument(about);
+    auto done = DoDocument(about, request.number);
     SetDoing("");
     return done;
   }
 
-  Result<void> DoDocument(const DocumentRequest& request) {
+  Result<void> DoDocument(const DocumentRequest& request, uint64_t number) {
     switch (request.kind) {
       case DocumentRequest::Kind::kNew:
         return StartAnew(request.give_up);
       case DocumentRequest::Kind::kOpen:
-        return Open(request);
+        return Open(request, number);
       case DocumentRequest::Kind::kSaveAs:
         return document_->Run([&](DocumentKeeper& keeper) {
           return keeper.SaveAs(request.path, DocumentOf(session_));
@@ -222,7 +222,7 @@ class SessionThread::Impl {
     return done;
   }
 
-  Result<void> Open(const DocumentRequest& request) {
+  Result<void> Open(const DocumentRequest& request, uint64_t number) {
     const auto document = document_->Run(
         [&](DocumentKeeper& keeper) { return keeper.Open(request.path, request.give_up); });
     if (!document) return Fail(document);
@@ -232,17 +232,18 @@ class SessionThread::Impl {
       return Fail(session);
     }
     session_ = std::move(*session);
-    DoLeftOver(document->posted);
+    DoLeftOver(document->posted, number);
     return {};
   }
 
-  /// Executes what had been posted when the program was killed. Its numbers end with 0.
-  void DoLeftOver(const std::vector<PostedRequest>& posted) {
+  /// Executes what had been posted when the program was killed. Its numbers end with 0; what fails
+  /// of it is told as a failure of request `opening`.
+  void DoLeftOver(const std::vector<PostedRequest>& posted, uint64_t opening) {
     Set(&must_finish_, true);  // what ends with the program too often is laid aside
     auto number = -static_cast<int64_t>(posted.size());
     for (const PostedRequest& request : posted) {
       const auto done = DoAgain(request);
-      if (!done) Note(0, done.error());
+      if (!done) Note(opening, done.error());
       document_->Executed(ChangeBy(++number, done.has_value()));
     }
   }
@@ -273,9 +274,11 @@ class SessionThread::Impl {
     snapshot_.last_error = {number, error};
   }
 
-  void NoteMended() {
+  /// What failed before request `number`.
+  void NoteMended(uint64_t number) {
     const std::lock_guard lock(publish_mutex_);
-    if (snapshot_.last_error) snapshot_.last_error->mended = true;
+    auto& failed = snapshot_.last_error;
+    if (failed && failed->number < number) failed->mended = true;
   }
 
   void SetBegun() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,9 @@ struct Memory {
   TypedFiles typed_files;
   KnownFiles known_files;
   KnownRules known_rules;
-  std::string open_layer;   ///< "Facade.door": its rule is being picked; "" none
-  uint64_t dismissed = 0;   ///< FailedRequest::number that was read
-  std::string file_name;    ///< being given, without its folder
+  std::string open_layer;             ///< "Facade.door": its rule is being picked; "" none
+  std::optional<uint64_t> dismissed;  ///< FailedRequest::number that was read
+  std::string file_name;              ///< being given, without its folder
   bool name_asked = false;  ///< the sheet that asks for it has been opened, and not drawn yet
   std::string export_ending = "glb";
   std::string view_name;

@@ -32,7 +32,7 @@ std::vector<Warning> WarningsOf(Ui* ui, const Memory& memory) {
   const DocumentStatus& document = view.session->document;
   if (document.trouble) warnings.push_back({Sentence(*document.trouble), "Save elsewhere", false});
   const auto& failed = view.session->last_error;
-  const bool is_news = failed && !failed->mended && failed->number > memory.dismissed;
+  const bool is_news = failed && !failed->mended && failed->number != memory.dismissed;
   if (ui->complaint().empty() && is_news) {
     warnings.push_back({Sentence(failed->error), "", true});
   }

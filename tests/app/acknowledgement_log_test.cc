@@ -41,6 +41,16 @@ TEST_F(AcknowledgementLogTest, FailuresAreSaidOnceWithTheirReason) {
   EXPECT_EQ(*ReadFile(path_), "failed 2: nothing fits\nacknowledged 3\n");
 }
 
+TEST_F(AcknowledgementLogTest, AFailureAtTheStartIsSaid) {
+  auto log = AcknowledgementLog::Open(path_);
+  ASSERT_TRUE(log);
+  SessionSnapshot snapshot;
+  snapshot.last_error = FailedRequest{0, Error{ErrorCode::kFile, "no document"}};
+  ASSERT_TRUE(log->Note(snapshot));
+  ASSERT_TRUE(log->Note(snapshot));
+  EXPECT_EQ(*ReadFile(path_), "failed 0: no document\n");
+}
+
 TEST_F(AcknowledgementLogTest, AppendsToWhatIsThereAndSaysWhereItCannot) {
   for (const uint64_t number : {1, 2}) {
     auto log = AcknowledgementLog::Open(path_);

@@ -115,6 +115,15 @@ TEST_F(PanelsSheets, AMessageThatWasReadIsClosed) {
   EXPECT_FALSE(panels_.Shows("Status/Close the message"));
 }
 
+TEST_F(PanelsSheets, WhatFailedAtTheStartIsSaidUntilItIsRead) {
+  auto failed = std::make_shared<SessionSnapshot>(*panels_.view.session);
+  failed->last_error = FailedRequest{0, {ErrorCode::kFile, "can't read /srv/Old.parti"}};
+  panels_.view.session = failed;
+  EXPECT_TRUE(panels_.Shows("Status/Close the message"));
+  panels_.Tap("Status/Close the message");
+  EXPECT_FALSE(panels_.Shows("Status/Close the message"));
+}
+
 TEST_F(PanelsSheets, AModelIsExportedInTheChosenFormat) {
   panels_.Tap("Menu/Export");
   panels_.Tap("Export/.obj");

@@ -202,6 +202,19 @@ TEST_F(SessionThreadTest, WhatWasPostedButNotExecutedWhenTheProgramWasKilledIsDo
   EXPECT_THAT(kept->history, SizeIs(3));
 }
 
+TEST_F(SessionThreadTest, WhatFailsOfThemIsSaidOfTheOpening) {
+  const std::string path = folder_ + "/house.parti";
+  Document document = DocumentOf(Session());
+  document.posted = {{"pick 9"}, {"lot rect(20,14)"}};
+  ASSERT_TRUE(SaveDocument(document, path));
+  SessionThread thread(options_);
+  const uint64_t opening = thread.Post(DocumentRequest{Kind::kOpen, path});
+  const auto now = Settled(&thread, opening);
+  ASSERT_TRUE(now->last_error);
+  EXPECT_EQ(now->last_error->number, opening);
+  EXPECT_FALSE(now->last_error->mended) << "that the file was opened mends nothing";
+}
+
 TEST_F(SessionThreadTest, RequestsAfterOneAboutDocumentsBelongToTheNextDocument) {
   const std::string first = folder_ + "/first.parti";
   SessionThread thread(options_);
