@@ -7,14 +7,26 @@
 namespace parti::app {
 namespace {
 
-/// Strokes of the sketch, read or not, in the order drawn.
-std::vector<const DrawnStroke*> StrokesOf(const Sketch& sketch) {
-  std::vector<const DrawnStroke*> strokes;
-  for (const auto& drawn : sketch.strokes) strokes.emplace_back(drawn.get());
-  for (const auto& drawn : sketch.unread) strokes.emplace_back(drawn.get());
-  std::sort(strokes.begin(), strokes.end(),
-            [](const auto* a, const auto* b) { return a->number < b->number; });
+using Drawn = std::shared_ptr<const DrawnStroke>;
+
+/// Strokes of the sketch, read or not, in the order drawn. They live as long as the sketch.
+std::vector<const Drawn*> StrokesOf(const Sketch& sketch) {
+  std::vector<const Drawn*> strokes;
+  strokes.reserve(sketch.strokes.size() + sketch.unread.size());
+  for (const Drawn& drawn : sketch.strokes) strokes.push_back(&drawn);
+  for (const Drawn& drawn : sketch.unread) strokes.push_back(&drawn);
+  const auto is_earlier = [](const Drawn* a, const Drawn* b) {
+    return (*a)->number < (*b)->number;
+  };
+  if (!std::is_sorted(strokes.begin(), strokes.end(), is_earlier)) {
+    std::sort(strokes.begin(), strokes.end(), is_earlier);
+  }
   return strokes;
+}
+
+/// Whether they are one stroke; drawn again after undo, another may have its number.
+bool IsSame(const Drawn& a, const Drawn& b) {
+  return a == b || (a->number == b->number && a->stroke == b->stroke);
 }
 
 double DistanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -45,48 +57,46 @@ bool Touches(const Stroke& stroke, const Vec2& a, const Vec2& b, double radius_p
 }  // namespace
 
 void InkBook::Posted(uint64_t id, uint64_t request, const Stroke& stroke) {
-  posted_.push_back({id, request, stroke, std::make_shared<const render::Ink>(InkOf(stroke))});
+  waiting_.push_back({request, stroke, {id, std::make_shared<const render::Ink>(InkOf(stroke))}});
 }
 
-const InkBook::Page& InkBook::PageOf(const DrawnStroke& drawn) {
-  const auto known = read_.find(drawn.number);
-  if (known != read_.end() && known->second.stroke == drawn.stroke) return known->second;
-  const auto posted = std::find_if(posted_.begin(), posted_.end(),
-                                   [&](const Page& page) { return page.stroke == drawn.stroke; });
-  Page page;
-  if (posted != posted_.end()) {
-    page = *posted;
-  } else {
-    page = {NewId(), 0, drawn.stroke, std::make_shared<const render::Ink>(InkOf(drawn.stroke))};
-  }
-  return read_.insert_or_assign(drawn.number, std::move(page)).first->second;
+render::InkStroke InkBook::InkOfNew(const DrawnStroke& drawn) {
+  const auto posted = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& waiting) {
+    return waiting.stroke == drawn.stroke;
+  });
+  if (posted != waiting_.end()) return posted->ink;
+  return {NewId(), std::make_shared<const render::Ink>(InkOf(drawn.stroke))};
 }
 
 std::vector<render::InkStroke> InkBook::Shown(const SessionState& state, const Camera& now,
                                               uint64_t executed) {
+  const std::vector<const Drawn*> strokes = StrokesOf(state.sketch);
   std::vector<render::InkStroke> shown;
-  std::map<uint32_t, Page> still_read;
-  for (const DrawnStroke* drawn : StrokesOf(state.sketch)) {
-    const Page& page = PageOf(*drawn);
-    still_read.emplace(drawn->number, page);
-    if (drawn->camera == now && !hidden_.count(drawn->number)) {
-      shown.push_back({page.id, page.ink});
+  std::vector<Read> read;
+  shown.reserve(strokes.size() + waiting_.size());
+  read.reserve(strokes.size());
+  auto known = read_.begin();
+  for (const Drawn* drawn : strokes) {
+    while (known != read_.end() && known->drawn->number < (*drawn)->number) ++known;
+    const bool is_known = known != read_.end() && IsSame(known->drawn, *drawn);
+    read.push_back({*drawn, is_known ? std::move(known->ink) : InkOfNew(**drawn)});
+    if ((*drawn)->camera == now && !hidden_.count((*drawn)->number)) {
+      shown.push_back(read.back().ink);
     }
   }
-  read_ = std::move(still_read);
-  posted_.erase(std::remove_if(posted_.begin(), posted_.end(),
-                               [&](const Page& page) { return page.request <= executed; }),
-                posted_.end());
-  for (const Page& page : posted_) shown.push_back({page.id, page.ink});
+  read_ = std::move(read);
+  std::erase_if(waiting_, [&](const Waiting& one) { return one.request <= executed; });
+  for (const Waiting& one : waiting_) shown.push_back(one.ink);
   return shown;
 }
 
 std::vector<uint32_t> InkBook::Touched(const SessionState& state, const Camera& now, const Vec2& a,
                                        const Vec2& b, double radius_px) {
   std::vector<uint32_t> numbers;
-  for (const DrawnStroke* drawn : StrokesOf(state.sketch)) {
-    if (drawn->camera == now && Touches(drawn->stroke, a, b, radius_px)) {
-      numbers.emplace_back(drawn->number);
+  for (const Drawn* each : StrokesOf(state.sketch)) {
+    const DrawnStroke& drawn = **each;
+    if (drawn.camera == now && Touches(drawn.stroke, a, b, radius_px)) {
+      numbers.push_back(drawn.number);
     }
   }
   return numbers;

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -27,7 +26,8 @@ class InkBook {
 
   /// All ink to show, in the order drawn, for a session that has executed requests up to
   /// `executed`: what was posted since, and the sketch's strokes that were drawn in the view of
-  /// `now`. What was executed and is not in the sketch any more is forgotten.
+  /// `now`. What was executed and is not in the sketch any more is forgotten. O(strokes), without
+  /// looking at the samples of those that were there the last time.
   std::vector<render::InkStroke> Shown(const SessionState& state, const Camera& now,
                                        uint64_t executed);
 
@@ -44,17 +44,21 @@ class InkBook {
   const std::set<uint32_t>& hidden() const { return hidden_; }
 
  private:
-  struct Page {
-    uint64_t id = 0;
+  struct Waiting {
     uint64_t request = 0;
     Stroke stroke;
-    std::shared_ptr<const render::Ink> ink;
+    render::InkStroke ink;
   };
-  const Page& PageOf(const DrawnStroke& drawn);
+  struct Read {
+    std::shared_ptr<const DrawnStroke> drawn;
+    render::InkStroke ink;
+  };
+  /// The ink of a stroke that is in the sketch for the first time.
+  render::InkStroke InkOfNew(const DrawnStroke& drawn);
 
   uint64_t last_id_ = 0;
-  std::vector<Page> posted_;       // not executed yet, in order
-  std::map<uint32_t, Page> read_;  // of the sketch, by DrawnStroke::number
+  std::vector<Waiting> waiting_;  // not executed yet, in order
+  std::vector<Read> read_;        // of the sketch, in the order drawn
   std::set<uint32_t> hidden_;
 };
 

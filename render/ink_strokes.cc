@@ -1,6 +1,7 @@
 #include "render/ink_strokes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 namespace parti::render {
@@ -28,34 +29,47 @@ void Append(std::span<const Vec2f> points, std::span<const float> widths_px, Ink
 }  // namespace
 
 void InkStrokes::SetStrokes(const std::vector<InkStroke>& strokes) {
+  const size_t done = strokes_.size() - (live_ ? 1 : 0);
+  size_t same = 0;
+  while (same < std::min(done, strokes.size()) && strokes[same].ink &&
+         strokes_[same].id == strokes[same].id) {
+    ++same;
+  }
+  if (same == done && same == strokes.size()) return;
   const std::vector<Vec4f> groups = GroupColors();
   Held live;
   if (live_) {
     live = strokes_.back();
     strokes_.pop_back();
   }
+  const Damage remade = ReplaceFrom(same, std::span(strokes).subspan(same));
+  if (live_) strokes_.push_back(live);
+  Rebuild(remade, groups);
+}
+
+Damage InkStrokes::ReplaceFrom(size_t first, std::span<const InkStroke> strokes) {
+  const auto from = strokes_.begin() + static_cast<ptrdiff_t>(first);
+  std::vector<Held> before(std::make_move_iterator(from), std::make_move_iterator(strokes_.end()));
+  strokes_.resize(first);
   std::unordered_map<uint64_t, size_t> known;
-  for (size_t i = 0; i < strokes_.size(); ++i) known.emplace(strokes_[i].id, i);
+  for (size_t i = 0; i < before.size(); ++i) known.emplace(before[i].id, i);
   Damage remade(size_);
-  std::vector<Held> now;
   size_t next_known = 0;
   for (const InkStroke& stroke : strokes) {
     if (!stroke.ink) continue;
     const auto found = known.find(stroke.id);
     if (found == known.end()) {
-      now.push_back({stroke.id, stroke.ink, AllPixelsOf(PiecesOf(*stroke.ink), size_)});
-      remade.Add(now.back().pixels);
+      strokes_.push_back({stroke.id, stroke.ink, AllPixelsOf(PiecesOf(*stroke.ink), size_)});
+      remade.Add(strokes_.back().pixels);
       continue;
     }
-    now.push_back(std::move(strokes_[found->second]));
-    if (found->second < next_known) remade.Add(now.back().pixels);  // it has changed its place
+    strokes_.push_back(std::move(before[found->second]));
+    if (found->second < next_known) remade.Add(strokes_.back().pixels);  // changed its place
     next_known = std::max(next_known, found->second + 1);
     known.erase(found);
   }
-  for (const auto& [id, gone] : known) remade.Add(strokes_[gone].pixels);
-  strokes_ = std::move(now);
-  if (live_) strokes_.push_back(live);
-  Rebuild(remade, groups);
+  for (const auto& [id, gone] : known) remade.Add(before[gone].pixels);
+  return remade;
 }
 
 void InkStrokes::Begin(uint64_t id, const Vec4f& color) {

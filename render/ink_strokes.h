@@ -40,7 +40,8 @@ class InkStrokes {
   explicit InkStrokes(const glm::ivec2& size) : size_(size), news_(size) {}
 
   /// All strokes that are done, in order. Those whose ids were there stay as they are, so that a
-  /// stroke which End left is not drawn again. O(strokes) and what changed.
+  /// stroke which End left is not drawn again. One comparison a stroke before the first that is
+  /// other; from there on O(strokes) and what changed.
   void SetStrokes(const std::vector<InkStroke>& strokes);
 
   /// Begins a stroke; one that is being drawn ends.
@@ -78,6 +79,8 @@ class InkStrokes {
     std::shared_ptr<const Ink> ink;
     PixelRect pixels;  // of all its pieces
   };
+  /// The done strokes from `first` on are these now; returns where that looks different.
+  Damage ReplaceFrom(size_t first, std::span<const InkStroke> strokes);
   void SetTail(std::vector<InkPiece> tail);
   void AddFresh(std::vector<InkPiece> pieces);
   /// What was drawn before is to be drawn again in `pixels`, or everywhere if groups are others.

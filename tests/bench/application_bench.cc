@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <random>
+#include <thread>
 
 #include "app/application.h"
 #include "app/display/offscreen_display.h"
@@ -35,14 +36,16 @@ double Seconds(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+std::string TownRules(int height_m) {
+  return "tree town { .Lot --> split(x) { ~1: Row }* .Row --> split(y) { ~1: Cell }* "
+         ".Cell --> extrude(" +
+         std::to_string(height_m) + ") Box }";
+}
+
 /// A town of boxes, seen whole.
 Session Town() {
   auto lots = ParseLots("rect(316,316)");
-  auto trees = grammar::ParseTrees(R"(tree town {
-    .Lot --> split(x) { ~1: Row }*
-    .Row --> split(y) { ~1: Cell }*
-    .Cell --> extrude(2) Box
-  })");
+  auto trees = grammar::ParseTrees(TownRules(2));
   CHECK(lots && trees, "the town is well written");
   auto model = BuiltOn(std::move(*lots), std::move(*trees));
   CHECK(model && VisibleShapes(*model).size() == size_t{kSide} * kSide, "the town is built");
@@ -115,6 +118,11 @@ class Desk {
   void DeriveTooMuch() {
     posted_ = session_->Post(*ParseCommand("node .Box --> split(y) { ~0.02: Slice }*"));
   }
+  /// Other heights for all boxes: another model, another scene, another picture.
+  void DeriveOther() {
+    height_m_ = height_m_ == 2 ? 3 : 2;
+    posted_ = session_->Post(*ParseCommand("rewrite " + TownRules(height_m_)));
+  }
   bool Derives() const { return session_->Newest()->executed < posted_; }
   int frames() const { return display_->frames(); }
   void Turn(double wait_s = 0) {
@@ -129,6 +137,7 @@ class Desk {
   std::unique_ptr<SessionThread> session_;
   std::unique_ptr<Application> application_;
   double t_s_ = 1;
+  int height_m_ = 2;
   uint64_t posted_ = 0;
 };
 
@@ -163,6 +172,7 @@ void Report(benchmark::State& state, const Times& times) {
   state.counters["cpu_p99_ms"] = Times::At(times.cpu_ms, 0.99);
   state.counters["wall_p50_ms"] = Times::At(times.wall_ms, 0.5);
   state.counters["wall_p99_ms"] = Times::At(times.wall_ms, 0.99);
+  state.counters["cpu_most_ms"] = Times::At(times.cpu_ms, 1);
 }
 
 void BenchApplicationHovering(benchmark::State& state) {
@@ -225,6 +235,49 @@ void BenchApplicationBesideDerivations(benchmark::State& state) {
   state.counters["derivations"] = derived;
 }
 BENCHMARK(BenchApplicationBesideDerivations)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// Strokes of a quarter of a second, one after the other: each comes back from the session as part
+/// of its sketch.
+void BenchApplicationStrokeAfterStroke(benchmark::State& state) {
+  Desk desk;
+  desk.Send(PenEvent::Kind::kProximityIn);
+  Times times;
+  for (auto _ : state) {
+    for (int stroke = 0; stroke < 60; ++stroke) {
+      desk.Send(PenEvent::Kind::kDown);
+      Move(&desk, 14, &times);
+      desk.Send(PenEvent::Kind::kUp);
+      Move(&desk, 1, &times);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the session reads it
+      Move(&desk, 1, &times);
+    }
+  }
+  Report(state, times);
+}
+BENCHMARK(BenchApplicationStrokeAfterStroke)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// Draws for 10 s while one model after the other takes the place of the one that is seen.
+void BenchApplicationWhereTheModelChanges(benchmark::State& state) {
+  Desk desk;
+  desk.Send(PenEvent::Kind::kProximityIn);
+  desk.Send(PenEvent::Kind::kDown);
+  desk.Turn();
+  Times times;
+  int derived = 0;
+  for (auto _ : state) {
+    const double until = Seconds(CLOCK_MONOTONIC) + 10;
+    while (Seconds(CLOCK_MONOTONIC) < until) {
+      if (!desk.Derives()) {
+        desk.DeriveOther();
+        ++derived;
+      }
+      Move(&desk, 60, &times);
+    }
+  }
+  Report(state, times);
+  state.counters["derivations"] = derived;
+}
+BENCHMARK(BenchApplicationWhereTheModelChanges)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace parti::app
