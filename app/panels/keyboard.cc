@@ -15,6 +15,8 @@ constexpr Rows kSmallRows = {"qwertyuiop", "asdfghjkl", "zxcvbnm"};
 constexpr Rows kCapitalRows = {"QWERTYUIOP", "ASDFGHJKL", "ZXCVBNM"};
 /// What numbers, names, paths and queries are made of.
 constexpr Rows kSignRows = {"1234567890", "-_/#:()>~", "+*=\"'!?"};
+/// What rules are made of besides; some signs again, so that few lines need both pages.
+constexpr Rows kMoreSignRows = {"{}[]<>|&@;", "%$^`\\-:()", "+*=\"'!?"};
 
 constexpr float kRow = 48;      ///< height of a row with its gap, units
 constexpr float kWidest = 760;  ///< of the keyboard, units
@@ -29,6 +31,13 @@ std::vector<KeyEvent> Stroke(uint32_t code, const std::string& text) {
 ScreenKey KeyOf(char letter, const Box& box) {
   const std::string text(1, letter);
   return {text, text, KEY_UNKNOWN, Icon::kNone, box};
+}
+
+/// What stands on keys without an icon, some of which type nothing.
+std::string LabelOf(const ScreenKey& key, bool signs, bool more_signs) {
+  if (key.name == "Signs") return signs ? "abc" : "123";
+  if (key.name == "More signs") return more_signs ? "123" : "{ }";
+  return key.text;
 }
 
 }  // namespace
@@ -48,18 +57,20 @@ std::vector<ScreenKey> ScreenKeyboard::Keys(const Box& box, double scale) const 
   const float width = std::min(box.width() - gap, u(kWidest));
   const float key = width / kColumns - gap, high = u(kRow) - gap;
   Box rest = BoxAt(box.middle_x() - width / 2, box.y0 + gap, width, box.height());
-  const Rows& rows = page_ == Page::kSigns     ? kSignRows
-                     : page_ == Page::kCapital ? kCapitalRows
-                                               : kSmallRows;
+  const Rows& rows = page_ == Page::kSigns       ? kSignRows
+                     : page_ == Page::kMoreSigns ? kMoreSignRows
+                     : page_ == Page::kCapital   ? kCapitalRows
+                                                 : kSmallRows;
   std::vector<ScreenKey> keys;
   for (size_t i = 0; i < rows.size(); ++i) {
     Box row = rest.CutTop(high, gap);
     const auto n = static_cast<float>(rows[i].size());
     row.CutLeft((row.width() - n * (key + gap) + gap) / 2);
-    if (i == 2) {  // beside the shortest row: capitals and backspace
+    if (i == 2) {  // beside the shortest row: capitals or the other signs, and backspace
       const float side = key * 1.3f;
-      keys.push_back(
-          {"Capitals", "", 0, Icon::kShift, BoxAt(row.x0 - side - gap, row.y0, side, high)});
+      keys.push_back({signs() ? "More signs" : "Capitals", "", 0,
+                      signs() ? Icon::kNone : Icon::kShift,
+                      BoxAt(row.x0 - side - gap, row.y0, side, high)});
       keys.push_back({"Backspace", "", KEY_BACKSPACE, Icon::kBackspace,
                       BoxAt(row.x0 + n * (key + gap), row.y0, side, high)});
     }
@@ -82,16 +93,23 @@ std::vector<KeyEvent> ScreenKeyboard::Press(const Vec2& at_px, const Box& box, d
                                 [&](const ScreenKey& k) { return k.box.Contains(at_px); });
   if (key == keys.end()) return {};
   held_ = key->name;
-  if (key->name == "Signs") {
-    page_ = page_ == Page::kSigns ? Page::kSmall : Page::kSigns;
-    return {};
-  }
-  if (key->name == "Capitals") {
-    page_ = page_ == Page::kSmall ? Page::kCapital : Page::kSmall;
-    return {};
-  }
+  if (Turn(key->name)) return {};
   if (page_ == Page::kCapital) page_ = Page::kSmall;  // one capital at a time
   return Stroke(key->code, key->text);
+}
+
+/// Turns to the page that a key is for; false for keys that type.
+bool ScreenKeyboard::Turn(const std::string& key) {
+  if (key == "Signs") {
+    page_ = signs() ? Page::kSmall : Page::kSigns;
+  } else if (key == "More signs") {
+    page_ = page_ == Page::kSigns ? Page::kMoreSigns : Page::kSigns;
+  } else if (key == "Capitals") {
+    page_ = page_ == Page::kSmall ? Page::kCapital : Page::kSmall;
+  } else {
+    return false;
+  }
+  return true;
 }
 
 void ScreenKeyboard::Draw(Ui* ui, const Box& box) const {
@@ -104,10 +122,9 @@ void ScreenKeyboard::Draw(Ui* ui, const Box& box) const {
     ui->Fill(key.box, ground, kMeasures.small_radius);
     ui->Border(key.box, kMeasures.small_radius);
     ui->Picture(key.icon, key.box, Tone::kText, ground);
-    const std::string label =
-        key.name == "Signs" ? page_ == Page::kSigns ? "abc" : "123" : key.text;
     if (key.icon == Icon::kNone) {
-      ui->Text(label, key.box, {Letter::kBody, Tone::kText, ground, 0.5f});
+      ui->Text(LabelOf(key, signs(), page_ == Page::kMoreSigns), key.box,
+               {Letter::kBody, Tone::kText, ground, 0.5f});
     }
     ui->NoteTarget(key.name, key.box);
   }

@@ -22,8 +22,9 @@ struct ScreenKey {
   Box box;
 };
 
-/// State and look of the keyboard. Presses are told to it by its owner, so that the field keeps the
-/// focus.
+/// State and look of the keyboard: pages of small letters, of capitals, and two of signs, which
+/// have every character of ASCII that can be printed. Presses are told to it by its owner, so that
+/// the field keeps the focus.
 class ScreenKeyboard {
  public:
   /// Back to small letters.
@@ -42,7 +43,10 @@ class ScreenKeyboard {
   void Draw(Ui* ui, const Box& box) const;
 
  private:
-  enum class Page : uint8_t { kSmall, kCapital, kSigns };
+  enum class Page : uint8_t { kSmall, kCapital, kSigns, kMoreSigns };
+  bool signs() const { return page_ == Page::kSigns || page_ == Page::kMoreSigns; }
+  bool Turn(const std::string& key);
+
   Page page_ = Page::kSmall;
   std::string held_;  ///< name of the key that is down
 };

@@ -183,6 +183,17 @@ TEST_P(PanelsGolden, Keyboard) {
   Look("keyboard");
 }
 
+TEST_P(PanelsGolden, Signs) {
+  panels_.view.session = WholeHouse();
+  panels_.view.has_keys = false;
+  Resize({800, 600});
+  panels_.Tap("Menu/Views");
+  panels_.Tap("Views/Keep this view as");
+  panels_.Tap("Keyboard/Signs");
+  panels_.Tap("Keyboard/More signs");
+  Look("signs", {"Keyboard"});
+}
+
 TEST_P(PanelsGolden, Portrait) {
   panels_.view.session = Taken(WholeHouse(), {0, 0, 0});
   Resize({540, 960});

@@ -223,6 +223,44 @@ TEST_F(PanelsSheets, WithoutAKeyboardOneComesUpAndTypes) {
   EXPECT_FALSE(ShowsSheet("Keyboard"));
 }
 
+/// What the keyboard's keys type that are on the page in sight.
+std::string TypedByKeysOf(const PanelOutput& output) {
+  static constexpr std::string_view kKeyboard = "Keyboard/";
+  std::string typed;
+  for (const PanelTarget& target : output.targets) {
+    if (!target.name.starts_with(kKeyboard)) continue;
+    const std::string key = target.name.substr(kKeyboard.size());
+    if (key == "Space") typed += ' ';
+    if (key.size() == 1) typed += key;
+  }
+  return typed;
+}
+
+TEST_F(PanelsSheets, WithoutAKeyboardEveryCharacterOfRulesCanBeTyped) {
+  panels_.view.has_keys = false;
+  panels_.Tap("Menu/Views");
+  panels_.Tap("Views/Keep this view as");
+  std::string typed = TypedByKeysOf(panels_.Frame());
+  for (const char* turn : {"Capitals", "Capitals", "Signs", "More signs"}) {
+    panels_.Tap(std::string("Keyboard/") + turn);
+    typed += TypedByKeysOf(panels_.Frame());
+  }
+  for (char c = ' '; c <= '~'; ++c) {
+    EXPECT_NE(typed.find(c), std::string::npos) << "there is no key for " << c;
+  }
+}
+
+TEST_F(PanelsSheets, BothPagesOfSignsTypeAndLeadToEachOther) {
+  panels_.view.has_keys = false;
+  panels_.Tap("Menu/Views");
+  panels_.Tap("Views/Keep this view as");
+  for (const char* key :
+       {"Signs", "#", "More signs", "{", "More signs", "7", "More signs", "}", "Signs", "a"}) {
+    panels_.Tap(std::string("Keyboard/") + key);
+  }
+  EXPECT_THAT(panels_.Tap("Keyboard/Enter"), ElementsAre(PanelCommand(Command(KeepView{"#{7}a"}))));
+}
+
 TEST_F(PanelsSheets, TheElementInHandIsArrangedByButtons) {
   HoldElement(&panels_.view);
   EXPECT_TRUE(panels_.Says("1.5 × 2.5 m, 4 m from the left, 0 m up"));

@@ -91,6 +91,14 @@ const StateCase kStates[] = {
        p->Tap("Menu/Views");
        p->Tap("Views/Keep this view as");
      }},
+    {"Signs",
+     [](PanelDriver* p) {
+       p->view.has_keys = false;
+       p->Tap("Menu/Views");
+       p->Tap("Views/Keep this view as");
+       p->Tap("Keyboard/Signs");
+       p->Tap("Keyboard/More signs");
+     }},
 };
 
 struct WindowCase {
