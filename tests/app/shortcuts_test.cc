@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
 
+#include "app/panels/sheet_keys.h"
 #include "base/text_file.h"
 #include "tests/support/data.h"
 
@@ -41,6 +42,9 @@ TEST(ShortcutsTest, TheDocumentationListsEveryRow) {
   ASSERT_TRUE(text);
   std::string table = "| keys | do |\n| --- | --- |\n";
   for (const ShortcutRow& row : ShortcutRows()) {
+    table.append("| ").append(row.keys).append(" | ").append(row.does).append(" |\n");
+  }
+  for (const panels::SheetKey& row : panels::SheetKeys()) {
     table.append("| ").append(row.keys).append(" | ").append(row.does).append(" |\n");
   }
   EXPECT_NE(text->find(table), std::string::npos) << "docs/application.md should have\n" << table;
