@@ -88,7 +88,9 @@ struct TouchEvent {
 struct KeyEvent {
   int device = 0;
   double t_s = 0;
-  uint32_t code = 0;  ///< evdev KEY_*
+  /// evdev KEY_*. A letter's is that of the key which has it in the user's layout: KEY_Z is the key
+  /// that types z (input/key_codes.h).
+  uint32_t code = 0;
   bool pressed = false;
   std::string text = {};  ///< UTF-8: what the press types; empty for keys that type nothing
   bool repeat = false;    ///< a press that was not made anew: the key is still held

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -15,7 +16,6 @@
 namespace parti::input {
 namespace {
 
-constexpr uint32_t kXkbOffset = 8;  // XKB's code of a key is evdev's and 8
 constexpr const char* kConfiguration = "/etc/default/keyboard";
 
 template <auto release>
@@ -61,6 +61,7 @@ struct Keyboard::State {
   std::unique_ptr<xkb_keymap, Release<xkb_keymap_unref>> keymap;
   std::unique_ptr<xkb_state, Release<xkb_state_unref>> keys;
   std::optional<KeyTyping> typing;
+  std::map<uint32_t, uint32_t> held;  // codes by place
 };
 
 Keyboard::Keyboard(const KeyLayout& layout) : state_(std::make_unique<State>()) {
@@ -82,16 +83,24 @@ Keyboard::Keyboard(Keyboard&&) noexcept = default;
 Keyboard& Keyboard::operator=(Keyboard&&) noexcept = default;
 Keyboard::~Keyboard() = default;
 
-std::string Keyboard::Feed(uint32_t code, bool pressed) {
-  if (!state_->keys) return {};
-  const uint32_t key = code + kXkbOffset;
-  std::string text = pressed ? state_->typing->Press(state_->keys.get(), key) : std::string();
-  xkb_state_update_key(state_->keys.get(), key, pressed ? XKB_KEY_DOWN : XKB_KEY_UP);
-  return text;
+Keystroke Keyboard::Feed(uint32_t place, bool pressed) {
+  if (!state_->keys) return {place};
+  xkb_state* keys = state_->keys.get();
+  const uint32_t key = place + kXkbOffset;
+  Keystroke made;
+  if (pressed) {
+    made.code = state_->held[place] = CodeOf(keys, place);
+    made.text = state_->typing->Press(keys, key);
+  } else {
+    const auto held = state_->held.extract(place);
+    made.code = held ? held.mapped() : CodeOf(keys, place);
+  }
+  xkb_state_update_key(keys, key, pressed ? XKB_KEY_DOWN : XKB_KEY_UP);
+  return made;
 }
 
-bool Keyboard::Repeats(uint32_t code) const {
-  return state_->keymap && xkb_keymap_key_repeats(state_->keymap.get(), code + kXkbOffset) != 0;
+bool Keyboard::Repeats(uint32_t place) const {
+  return state_->keymap && xkb_keymap_key_repeats(state_->keymap.get(), place + kXkbOffset) != 0;
 }
 
 }  // namespace parti::input

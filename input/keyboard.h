@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "input/key_codes.h"
+
 namespace parti::input {
 
 /// Names of a keyboard layout as XKB has them; empty ones are xkbcommon's defaults.
@@ -36,12 +38,12 @@ class Keyboard {
   Keyboard& operator=(Keyboard&&) noexcept;
   ~Keyboard();
 
-  /// A key (evdev KEY_*) went down or up. Returns what the press types, UTF-8; nothing for a
-  /// release, and as KeyTyping::Press.
-  std::string Feed(uint32_t code, bool pressed);
+  /// The key in a place (evdev KEY_*) went down or up. A release has the code of its press, also
+  /// where another layout was set in between, and no text.
+  Keystroke Feed(uint32_t place, bool pressed);
 
-  /// Whether the key types again while it is held: letters do, shift does not.
-  bool Repeats(uint32_t code) const;
+  /// Whether the key in a place types again while it is held: letters do, shift does not.
+  bool Repeats(uint32_t place) const;
 
  private:
   struct State;

@@ -78,8 +78,14 @@ void LibinputDevices::CompletePosition(TouchEvent* touch) {
 
 void LibinputDevices::Type(KeyEvent* key) {
   auto& keyboard = At(key->device).keyboard;
-  if (keyboard) key->text = keyboard->Feed(key->code, key->pressed);
-  repeat_.Feed(*key, keyboard && keyboard->Repeats(key->code));
+  bool repeats = false;
+  if (keyboard) {
+    repeats = keyboard->Repeats(key->code);
+    Keystroke made = keyboard->Feed(key->code, key->pressed);
+    key->code = made.code;
+    key->text = std::move(made.text);
+  }
+  repeat_.Feed(*key, repeats);
 }
 
 std::optional<InputEvent> LibinputDevices::Report(libinput_event* event, int number) {

@@ -37,7 +37,8 @@ std::optional<PenEvent> MouseEventOf(libinput_event* event, int device, PointerP
 std::optional<ScrollEvent> ScrollEventOf(libinput_event* event, int device,
                                          const PointerPosition& pointer);
 
-/// A key's press or release, without its text. Nothing for events that are not a keyboard's.
+/// A key's press or release, without its text; the code is that of its place. Nothing for events
+/// that are not a keyboard's.
 std::optional<KeyEvent> KeyEventOf(libinput_event* event, int device);
 
 }  // namespace parti::input

@@ -41,12 +41,13 @@ void X11Keyboard::Load() {
   xkb_keymap_unref(keymap);
 }
 
-std::string X11Keyboard::Press(uint32_t keycode, const X11Modifiers& modifiers) {
-  if (!state_ || !typing_) return "";
+Keystroke X11Keyboard::Press(uint32_t keycode, const X11Modifiers& modifiers) {
+  const uint32_t place = keycode - kXkbOffset;
+  if (!state_ || !typing_) return {place};
   xkb_state_update_mask(state_.get(), modifiers.pressed, modifiers.latched, modifiers.locked,
                         modifiers.pressed_layout, modifiers.latched_layout,
                         modifiers.locked_layout);
-  return typing_->Press(state_.get(), keycode);
+  return {CodeOf(state_.get(), place), typing_->Press(state_.get(), keycode)};
 }
 
 void X11Keyboard::Forget() {

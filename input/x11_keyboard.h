@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "input/key_codes.h"
 #include "input/key_typing.h"
 
 struct _XDisplay;
@@ -22,15 +23,15 @@ struct X11Modifiers {
   uint32_t pressed_layout = 0, latched_layout = 0, locked_layout = 0;
 };
 
-/// Keys type nothing where the server has no XKB.
+/// Keys type nothing where the server has no XKB, and their codes are those of their places.
 class X11Keyboard {
  public:
   explicit X11Keyboard(_XDisplay* display);
   ~X11Keyboard();
   X11Keyboard(X11Keyboard&&) = delete;
 
-  /// What the press of X's `keycode` types (KeyTyping::Press).
-  std::string Press(uint32_t keycode, const X11Modifiers& modifiers);
+  /// The press of X's `keycode`, which is at least kXkbOffset.
+  Keystroke Press(uint32_t keycode, const X11Modifiers& modifiers);
   /// The focus went elsewhere.
   void Forget();
   /// Whether the event was the keyboard's own: another layout was set.

@@ -12,8 +12,6 @@
 namespace parti::input {
 namespace {
 
-constexpr uint32_t kEvdevOffset = 8;  ///< X's keycodes are the kernel's plus this
-
 double Now() {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -221,28 +219,27 @@ void X11Source::TakeKey(const void* data, std::vector<InputEvent>* out) {
   const auto& event = *static_cast<const XIDeviceEvent*>(data);
   const auto device = devices_.find(event.sourceid);
   const auto keycode = static_cast<uint32_t>(event.detail);
-  if (device == devices_.end() || keycode < kEvdevOffset) return;
+  if (device == devices_.end() || keycode < kXkbOffset) return;
   KeyEvent key;
   key.device = device->second.first;
   key.t_s = Time(event.time);
-  key.code = keycode - kEvdevOffset;
   key.pressed = event.evtype == XI_KeyPress;
   key.repeat = key.pressed && (event.flags & XIKeyRepeat) != 0;
-  const auto same = [&](const Held& held) {
-    return held.device == key.device && held.code == key.code;
-  };
-  const bool was_held = std::any_of(held_.begin(), held_.end(), same);
+  auto held = std::find_if(held_.begin(), held_.end(), [&](const Held& other) {
+    return other.device == key.device && other.keycode == keycode;
+  });
   // One that was held when the focus came is not ours to release.
-  if (!key.pressed && !was_held) return;
+  if (!key.pressed && held == held_.end()) return;
   if (key.pressed) {
     const auto word = [](int bits) { return static_cast<uint32_t>(bits); };
-    key.text = keyboard_.Press(
+    Keystroke made = keyboard_.Press(
         keycode, {word(event.mods.base), word(event.mods.latched), word(event.mods.locked),
                   word(event.group.base), word(event.group.latched), word(event.group.locked)});
-    if (!was_held) held_.push_back({key.device, key.code});
-  } else {
-    std::erase_if(held_, same);
+    key.text = std::move(made.text);
+    if (held == held_.end()) held = held_.insert(held, {key.device, keycode, made.code});
   }
+  key.code = held->code;  // as it was pressed, whatever the layout is by now
+  if (!key.pressed) held_.erase(held);
   out->emplace_back(std::move(key));
 }
 

@@ -43,7 +43,8 @@ class X11Source {
   };
   struct Held {
     int device = 0;
-    uint32_t code = 0;
+    uint32_t keycode = 0;  // the server's
+    uint32_t code = 0;     // of its press
   };
 
   X11Source(_XDisplay* display, unsigned long window, double px_per_mm, int opcode);

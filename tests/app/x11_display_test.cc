@@ -236,6 +236,33 @@ TEST_F(X11Displays, KeysComeWithWhatTheyType) {
   EXPECT_TRUE(CameKey(KEY_Z, true, "")) << "a shortcut types nothing";
 }
 
+TEST_F(X11Displays, KeysGoByTheLettersOfTheDesktopsLayout) {
+  constexpr uint32_t kOffset = 8;  // of X's codes
+  const std::string beside_t = std::to_string(KEY_Y + kOffset);
+  look_->Focus(window_);
+  ASSERT_TRUE(server_->SetLayout("de"));
+  ASSERT_TRUE(server_->Do({"key", beside_t}));
+  ASSERT_TRUE(Until([this] { return CameKey(KEY_Z, false, ""); }));
+  EXPECT_TRUE(CameKey(KEY_Z, true, "z"));
+  news_.input.clear();
+  ASSERT_TRUE(server_->SetLayout("ru"));
+  ASSERT_TRUE(server_->Do({"key", beside_t}));
+  ASSERT_TRUE(Until([this] { return CameKey(KEY_Y, false, ""); }));
+  EXPECT_TRUE(CameKey(KEY_Y, true, "н"));
+}
+
+TEST_F(X11Displays, AKeyIsReleasedAsItWasPressed) {
+  constexpr uint32_t kOffset = 8;
+  const std::string beside_t = std::to_string(KEY_Y + kOffset);
+  look_->Focus(window_);
+  ASSERT_TRUE(server_->SetLayout("de"));
+  ASSERT_TRUE(server_->Do({"keydown", beside_t}));
+  ASSERT_TRUE(Until([this] { return CameKey(KEY_Z, true, "z"); }));
+  ASSERT_TRUE(server_->SetLayout("us"));
+  ASSERT_TRUE(server_->Do({"keyup", beside_t}));
+  EXPECT_TRUE(Until([this] { return CameKey(KEY_Z, false, ""); }));
+}
+
 TEST_F(X11Displays, KeysThatAreHeldWhenTheFocusGoesAreReleased) {
   look_->Focus(window_);
   ASSERT_TRUE(server_->Do({"keydown", "shift"}));

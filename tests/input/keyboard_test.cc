@@ -18,8 +18,8 @@ TEST(KeyLayout, IsReadFromDebiansConfiguration) {
 std::string Typed(Keyboard* keyboard, std::initializer_list<uint32_t> keys) {
   std::string text;
   for (const uint32_t key : keys) {
-    text += keyboard->Feed(key, true);
-    EXPECT_EQ(keyboard->Feed(key, false), "");
+    text += keyboard->Feed(key, true).text;
+    EXPECT_EQ(keyboard->Feed(key, false).text, "");
   }
   return text;
 }
@@ -32,7 +32,7 @@ TEST(Keyboard, TypesByItsLayout) {
 
 TEST(Keyboard, ShiftIsHeldAndReleased) {
   Keyboard keyboard(KeyLayout{.layout = "us"});
-  EXPECT_EQ(keyboard.Feed(KEY_LEFTSHIFT, true), "");
+  EXPECT_EQ(keyboard.Feed(KEY_LEFTSHIFT, true).text, "");
   EXPECT_EQ(Typed(&keyboard, {KEY_A, KEY_1}), "A!");
   keyboard.Feed(KEY_LEFTSHIFT, false);
   EXPECT_EQ(Typed(&keyboard, {KEY_A, KEY_1}), "a1");

@@ -309,6 +309,29 @@ TEST(Seat, KeysTypeAndRepeatWhileTheyAreHeld) {
   EXPECT_FALSE(keys.back().pressed);
 }
 
+TEST(Seat, KeysGoByTheLettersOfTheLayout) {
+  MockSeat seat;
+  DescribeAll(&seat);
+  seat.SetLayout("de");
+  seat.Do("plug 8");
+  seat.Do("ahead 0");
+  seat.Send(kKeys, {Raw(0, EV_KEY, KEY_LEFTCTRL, 1)});
+  seat.Send(kKeys, {Raw(1, EV_KEY, KEY_Y, 1)});  // z is printed on it
+  seat.Do("wait 0.65");
+  seat.Send(kKeys, {Raw(700, EV_KEY, KEY_Y, 0)});
+  seat.Do("wait 0.2");
+  const auto looks = seat.Run();
+  ASSERT_TRUE(looks) << FormatError(looks.error());
+  const auto keys = Of<KeyEvent>({AllOf(*looks), {}});
+  ASSERT_GE(keys.size(), 4u);
+  EXPECT_EQ(keys[0].code, static_cast<uint32_t>(KEY_LEFTCTRL));
+  for (size_t i = 1; i < keys.size(); ++i) {
+    EXPECT_EQ(keys[i].code, static_cast<uint32_t>(KEY_Z));
+    EXPECT_EQ(keys[i].repeat, i > 1 && i + 1 < keys.size()) << "until it is released";
+  }
+  EXPECT_FALSE(keys.back().pressed);
+}
+
 TEST(Seat, SuspendingEndsTheStrokeAndResumingBringsTheDevicesBack) {
   MockSeat seat;
   DescribeAll(&seat);

@@ -86,7 +86,7 @@ Result<std::vector<SeatLook>> MockSeat::Run() {
   Write(folder_ / "script", script_);
   const std::string output = (folder_ / "output").string();
   const std::string errors = (folder_ / "errors").string();
-  Child child({"env", "MOCK_FOLDER=" + folder_.string(), "XKB_DEFAULT_LAYOUT=us",
+  Child child({"env", "MOCK_FOLDER=" + folder_.string(), "XKB_DEFAULT_LAYOUT=" + layout_,
                "ASAN_OPTIONS=verify_asan_link_order=0",
                fmt::format("LD_PRELOAD={}:libumockdev-preload.so.0", PARTI_MOCK_NODE),
                PARTI_MOCK_SEAT, folder_.string(), (folder_ / "script").string()},

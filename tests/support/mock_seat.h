@@ -39,12 +39,16 @@ class MockSeat {
   /// Recorded events, which have their own SYN_REPORTs.
   void Play(int number, const std::vector<EvdevEvent>& events);
 
+  /// The layout of its keyboards ("de"); "us" unless set.
+  void SetLayout(const std::string& layout) { layout_ = layout; }
+
   /// What each look saw, in order. errors  kDevice  the seat's program failed.
   Result<std::vector<SeatLook>> Run();
 
  private:
   std::filesystem::path folder_;
   std::string script_;
+  std::string layout_ = "us";
 };
 
 /// Raw events by short names, times in ms.

@@ -110,14 +110,18 @@ void RemoveTracesOf(const std::string& server) {
   std::filesystem::remove(temporary / ".X11-unix" / ("X" + number), ignored);
 }
 
-bool Xvfb::Do(const std::vector<std::string>& words) const {
-  std::vector<std::string> command = {"env", "DISPLAY=" + name_, "xdotool"};
+bool Xvfb::Run(const std::string& program, const std::vector<std::string>& words) const {
+  std::vector<std::string> command = {"env", "DISPLAY=" + name_, program};
   command.insert(command.end(), words.begin(), words.end());
-  Child xdotool(command, folder_ + "/xdotool.out", folder_ + "/xdotool.err");
+  Child child(command, folder_ + "/" + program + ".out", folder_ + "/" + program + ".err");
   std::optional<int> status;
-  Await([&] { return (status = xdotool.Ended()).has_value(); });
+  Await([&] { return (status = child.Ended()).has_value(); });
   return status == 0;
 }
+
+bool Xvfb::Do(const std::vector<std::string>& words) const { return Run("xdotool", words); }
+
+bool Xvfb::SetLayout(const std::string& layout) const { return Run("setxkbmap", {layout}); }
 
 XSpectator::XSpectator(const std::string& server) {
   // Windows vanish while they are looked at.

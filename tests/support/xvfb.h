@@ -27,9 +27,12 @@ class Xvfb {
 
   /// Runs xdotool with these words ("mousemove", "10", "20", "click", "1"); false where it fails.
   bool Do(const std::vector<std::string>& words) const;
+  /// Gives all keyboards a layout ("de"), as a desktop's settings do; false where it fails.
+  bool SetLayout(const std::string& layout) const;
 
  private:
   Xvfb(std::string folder, std::unique_ptr<Child> server, std::string name);
+  bool Run(const std::string& program, const std::vector<std::string>& words) const;
 
   std::string folder_;
   std::unique_ptr<Child> server_;
