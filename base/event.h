@@ -28,7 +28,7 @@ struct DeviceFacts {
   bool has_distance = false;
   bool has_eraser = false;
   bool has_pointer = false;  ///< a mouse: its events are PenEvents of tool kMouse and ScrollEvents
-  bool has_keys = false;
+  bool has_keys = false;  ///< a keyboard to type on; KeyEvents come from devices of few keys, too
   bool has_display = false;  ///< the surface is a screen: what is pointed at lies under the tip
   /// Set for devices that point into the view itself (mice, pens and fingers of a window system):
   /// their millimetres times this are view pixels from the view's top left. Without it the surface

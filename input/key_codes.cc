@@ -62,4 +62,8 @@ uint32_t CodeOf(xkb_state* keys, uint32_t place) {
   return code;
 }
 
+bool IsKeyboard(const std::function<bool(uint32_t code)>& has_key) {
+  return std::all_of(kLetterKeys.begin(), kLetterKeys.end(), has_key);
+}
+
 }  // namespace parti::input

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 struct xkb_state;
@@ -38,5 +39,10 @@ struct Keystroke {
 ///               layouts that has Latin ones; there is none: of places.
 /// Cost: some hundred look-ups in the keymap, up to some thousand for a key that gave way.
 uint32_t CodeOf(xkb_state* keys, uint32_t place);
+
+/// Whether names and numbers can be typed with a device that has these keys (evdev's KEY_*): it has
+/// all letters. Power buttons, volume keys and pads of numbers, which are keyboards to the system,
+/// are none.
+bool IsKeyboard(const std::function<bool(uint32_t code)>& has_key);
 
 }  // namespace parti::input

@@ -34,7 +34,7 @@ void LibinputDevices::Add(libinput_device* device, double now_s, std::vector<Inp
   devices_.push_back(
       {device, FactsOf(device), fmt::format("/dev/input/{}", libinput_device_get_sysname(device))});
   Device& added = devices_.back();
-  if (mice_and_keys_ && added.facts.has_keys) added.keyboard.emplace();
+  if (mice_and_keys_ && SendsKeys(device)) added.keyboard.emplace();
   libinput_device_config_tap_set_enabled(device, LIBINPUT_CONFIG_TAP_ENABLED);
   Hand(added);
   out->emplace_back(

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "input/key_codes.h"
+
 extern "C" {  // which the header leaves out
 #include <libwacom/libwacom.h>
 }
@@ -121,7 +123,11 @@ bool IsPenOrTouch(libinput_device* device) {
 
 bool IsMouseOrKeys(libinput_device* device) {
   return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_POINTER) != 0 ||
-         libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
+         SendsKeys(device);
+}
+
+bool SendsKeys(libinput_device* device) {
+  return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
 }
 
 DeviceFacts FactsOf(libinput_device* device) {
@@ -133,7 +139,9 @@ DeviceFacts FactsOf(libinput_device* device) {
   if (libinput_device_get_size(device, &size_mm.x, &size_mm.y) == 0) facts.size_mm = size_mm;
   facts.has_pen = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TABLET_TOOL) != 0;
   facts.has_touch = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_TOUCH) != 0;
-  facts.has_keys = libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
+  facts.has_keys = IsKeyboard([&](uint32_t code) {
+    return libinput_device_keyboard_has_key(device, code) == 1;  // -1: it sends no keys at all
+  });
   facts.has_pointer = !facts.has_pen && !facts.has_touch &&
                       libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_POINTER) != 0;
   if (facts.has_pointer) facts.view_px_per_mm = PointerPosition::kViewPxPerMm;

@@ -18,6 +18,9 @@ bool IsPenOrTouch(libinput_device* device);
 /// Whether it is a mouse, a touchpad or a keyboard.
 bool IsMouseOrKeys(libinput_device* device);
 
+/// Whether keys come from it, however few: those of pads of numbers and power buttons, too.
+bool SendsKeys(libinput_device* device);
+
 /// Axes are read from the kernel's capability masks in sysfs, since libinput tells them only for a
 /// tool that is in proximity.
 DeviceFacts FactsOf(libinput_device* device);

@@ -161,9 +161,9 @@ std::optional<PenTool> X11ToolOf(const std::string& name, const std::string& wac
 }
 
 bool IsButtonOnly(const std::string& name) {
-  static constexpr std::array<std::string_view, 8> kButtons = {
-      "XTEST", "button",     "Video Bus",        "hotkeys",
-      "WMI",   "Lid Switch", "Consumer Control", "System Control"};
+  static constexpr std::array<std::string_view, 10> kButtons = {
+      "XTEST",      "button",           "Video Bus",      "hotkeys",    "WMI",
+      "Lid Switch", "Consumer Control", "System Control", "HID events", "gpio-keys"};
   return std::any_of(kButtons.begin(), kButtons.end(),
                      [&](std::string_view word) { return Holds(name, word); });
 }

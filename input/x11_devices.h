@@ -29,7 +29,8 @@ struct X11Device {
 std::optional<PenTool> X11ToolOf(const std::string& name, const std::string& wacom_type,
                                  bool has_pressure);
 
-/// Whether the name is that of a button or lid that the kernel gives as a keyboard.
+/// Whether the name is that of a button or lid that the kernel gives as a keyboard. What
+/// IsKeyboard (key_codes.h) asks can't be asked of a server: it gives every device all keys.
 bool IsButtonOnly(const std::string& name);
 
 /// The slaves that are there and enabled, `only` one or all. Their valuators have their present

@@ -73,6 +73,7 @@ std::string LineOf(const Found& found) {
                                   {facts.has_eraser, "eraser"}}) {
     if (has) kinds += (kinds.empty() ? "" : ", ") + std::string(name);
   }
+  if (kinds.empty()) kinds = "buttons";
   std::string line = fmt::format("{}  {} ({:04x}:{:04x}): {}", found.node, facts.name, facts.vendor,
                                  facts.product, kinds);
   if (facts.size_mm)

@@ -112,5 +112,12 @@ TEST(KeyCodes, PlacesThatNoKeyHasAreNoTrouble) {
   }
 }
 
+TEST(KeyCodes, AKeyboardHasAllLetters) {
+  EXPECT_TRUE(IsKeyboard([](uint32_t) { return true; }));
+  EXPECT_FALSE(IsKeyboard([](uint32_t code) { return code == KEY_POWER; }));
+  EXPECT_FALSE(IsKeyboard([](uint32_t code) { return code >= KEY_KP7 && code <= KEY_KPDOT; }));
+  EXPECT_FALSE(IsKeyboard([](uint32_t code) { return code != KEY_Q; }));
+}
+
 }  // namespace
 }  // namespace parti::input

@@ -25,7 +25,7 @@ using tests::MockSeat;
 using tests::Raw;
 using tests::SeatLook;
 
-constexpr int kTablet = 5, kScreen = 6, kMouse = 7, kKeys = 8;
+constexpr int kTablet = 5, kScreen = 6, kMouse = 7, kKeys = 8, kButtons = 10;
 // The same tablet plugged in again: umockdev can't use a node's number twice.
 constexpr int kTabletAgain = 9;
 constexpr int kTabletUnits = 200, kScreenUnits = 40;  // per mm
@@ -307,6 +307,37 @@ TEST(Seat, KeysTypeAndRepeatWhileTheyAreHeld) {
     EXPECT_EQ(keys[i].text, "P");
   }
   EXPECT_FALSE(keys.back().pressed);
+}
+
+TEST(Seat, PowerAndVolumeButtonsAreNoKeyboard) {
+  const std::vector<int> number_pad = {KEY_KP1, KEY_KP2, KEY_KP3, KEY_KP4, KEY_KP5,    KEY_KP6,
+                                       KEY_KP7, KEY_KP8, KEY_KP9, KEY_KP0, KEY_KPENTER};
+  for (const auto& buttons : {tests::KeysOnly("Power Button", {KEY_POWER}),
+                              tests::KeysOnly("Video Bus", {KEY_BRIGHTNESSUP, KEY_BRIGHTNESSDOWN}),
+                              tests::KeysOnly("gpio-keys", {KEY_VOLUMEUP, KEY_VOLUMEDOWN}),
+                              tests::KeysOnly("Mocked Number Pad", number_pad)}) {
+    MockSeat seat;
+    seat.Describe(buttons, {kButtons, {"ID_INPUT_KEY=1"}});
+    seat.Do("plug 10");
+    const auto looks = seat.Run();
+    ASSERT_TRUE(looks) << FormatError(looks.error());
+    const auto devices = Of<DeviceEvent>({AllOf(*looks), {}});
+    ASSERT_THAT(devices, SizeIs(1)) << buttons.name;
+    EXPECT_FALSE(devices[0].facts.has_keys) << buttons.name;
+  }
+}
+
+TEST(Seat, APadOfNumbersTypesThoughItIsNoKeyboard) {
+  MockSeat seat;
+  seat.Describe(tests::KeysOnly("Mocked Number Pad", {KEY_1, KEY_2, KEY_3}),
+                {kButtons, {"ID_INPUT_KEY=1"}});
+  seat.Do("plug 10");
+  seat.Send(kButtons, {Raw(0, EV_KEY, KEY_2, 1)});
+  const auto looks = seat.Run();
+  ASSERT_TRUE(looks) << FormatError(looks.error());
+  const auto keys = Of<KeyEvent>({AllOf(*looks), {}});
+  ASSERT_THAT(keys, SizeIs(1));
+  EXPECT_EQ(keys[0].text, "2");
 }
 
 TEST(Seat, KeysGoByTheLettersOfTheLayout) {

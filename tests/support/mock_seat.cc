@@ -152,4 +152,14 @@ EvdevRecording KeyboardDevice() {
   return keyboard;
 }
 
+EvdevRecording KeysOnly(const std::string& name, const std::vector<int>& keys) {
+  EvdevRecording device;
+  device.name = name;
+  device.vendor = 0x1234;
+  device.product = 0x0005;
+  device.codes[EV_SYN] = {};
+  for (const int code : keys) device.SetCode(EV_KEY, code);
+  return device;
+}
+
 }  // namespace parti::tests

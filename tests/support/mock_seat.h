@@ -57,8 +57,10 @@ EvdevEvent Raw(double t_ms, int type, int code, int value);
 /// A touch screen of ten fingers, 40 units/mm, of no known make.
 EvdevRecording TouchScreen(Vec2 size_mm);
 
-/// A mouse with a wheel and three buttons; a keyboard with all letters.
+/// A mouse with a wheel and three buttons; a keyboard with all letters; a device that is a keyboard
+/// to the system, but has these keys only.
 EvdevRecording Mouse();
 EvdevRecording KeyboardDevice();
+EvdevRecording KeysOnly(const std::string& name, const std::vector<int>& keys);
 
 }  // namespace parti::tests
