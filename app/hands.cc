@@ -66,11 +66,7 @@ std::vector<Act> Hands::Feed(const InputEvent& event, const OverPanel& over_pane
 
 std::vector<Act> Hands::LiftAll() {
   std::vector<Act> acts;
-  while (!drags_.empty()) {
-    DragAct lifted = drags_.begin()->second;
-    lifted.phase = DragPhase::kEnd;
-    Drag(lifted, &acts);
-  }
+  EndDrag(&acts);
   if (on_panel_) {
     dropped_.emplace_back(*on_panel_);
     on_panel_.reset();
@@ -118,7 +114,7 @@ void Hands::FeedPen(const PenEvent& event, const OverPanel& over_panel, std::vec
     return;
   }
   const Contact contact{event.device, -1};
-  if (OnPanel(contact) || drags_.count(event.device) || bindings_.Doing(event.device)) return;
+  if (OnPanel(contact) || Drags(event.device) || bindings_.Doing(event.device)) return;
   Hover(event, over_panel, acts);
 }
 
@@ -175,18 +171,29 @@ void Hands::FeedDrag(const input::PenDrag& drag, const OverPanel& over_panel,
 void Hands::Drag(const DragAct& act, std::vector<Act>* acts) {
   DragAct sent = act;
   sent.px_per_mm = DeviceOf(act.device).mapping.px_per_mm();
-  if (act.phase == DragPhase::kBegin) {
-    if (hovering_) acts->emplace_back(HoverEndAct{});
-    hovering_ = false;
-    drags_[act.device] = sent;
-  } else {
-    const auto begun = drags_.find(act.device);
-    if (begun == drags_.end()) return;
-    sent.act = begun->second.act;  // a tool chosen in mid-drag holds from the next one on
-    begun->second = sent;
-    if (act.phase != DragPhase::kMove) drags_.erase(begun);
-  }
+  if (act.phase == DragPhase::kBegin) return BeginDrag(sent, acts);
+  if (!Drags(act.device)) return;
+  sent.act = drag_->act;  // a tool chosen in mid-drag holds from the next one on
+  drag_ = sent;
+  if (act.phase != DragPhase::kMove) drag_.reset();
   acts->emplace_back(sent);
+}
+
+void Hands::BeginDrag(const DragAct& act, std::vector<Act>* acts) {
+  const auto has_pen = [this](int device) { return DeviceOf(device).facts.has_pen; };
+  if (drag_ && has_pen(act.device) && !has_pen(drag_->device)) EndDrag(acts);
+  if (drag_) return;
+  if (hovering_) acts->emplace_back(HoverEndAct{});
+  hovering_ = false;
+  drag_ = act;
+  acts->emplace_back(act);
+}
+
+void Hands::EndDrag(std::vector<Act>* acts) {
+  if (!drag_) return;
+  DragAct lifted = *drag_;
+  lifted.phase = DragPhase::kEnd;
+  Drag(lifted, acts);
 }
 
 void Hands::FeedTouch(const TouchEvent& event, const OverPanel& over_panel,

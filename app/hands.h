@@ -76,7 +76,11 @@ using OverPanel = std::function<bool(const Vec2& px)>;
 
 /// Value-typed but for the question asked of the panels. What comes down on a panel is the panel's
 /// until it lifts; what comes down on the drawing stays the drawing's, wherever it goes.
-/// Properties  (1) drags and gestures have one kBegin, then kMoves, then one kEnd or kCancel;
+/// One thing drags over the drawing at a time: what comes down meanwhile does nothing until it
+/// lifts. Only a pen goes before what is none, a mouse that was bumped or a touchpad that was
+/// tapped: their drag ends with its coming down, and what it has drawn so far counts. Properties
+/// (1) drags and gestures have one kBegin, then kMoves, then one kEnd or kCancel, and
+///                 drags follow one another;
 ///             (2) a panel sees one pointer: a second one that comes down meanwhile is dropped;
 ///             (3) a device that goes ends its drag (kEnd: what is drawn so far counts) and leaves
 ///                 its panel (PanelPointerGone: the button is not pressed).
@@ -98,7 +102,7 @@ class Hands {
 
   bool pen_present() const;  ///< a device with a pen is there
   bool has_keys() const;     ///< a keyboard is there
-  bool dragging() const { return !drags_.empty(); }
+  bool dragging() const { return drag_.has_value(); }
 
  private:
   struct Device {
@@ -123,6 +127,9 @@ class Hands {
   void FeedTouch(const TouchEvent& event, const OverPanel& over_panel, std::vector<Act>* acts);
   void TakeGesture(const input::Gesture& gesture, std::vector<Act>* acts);
   void Drag(const DragAct& act, std::vector<Act>* acts);
+  void BeginDrag(const DragAct& act, std::vector<Act>* acts);
+  void EndDrag(std::vector<Act>* acts);
+  bool Drags(int device) const { return drag_ && drag_->device == device; }
   bool OnPanel(const Contact& contact) const { return on_panel_ == contact; }
   void EndHover(std::vector<Act>* acts);
 
@@ -135,7 +142,7 @@ class Hands {
   input::PenAct mode_ = input::PenAct::kDraw;
   std::optional<Contact> on_panel_;  // the contact that is the panels' pointer
   std::vector<Contact> dropped_;     // came down on a panel that was taken
-  std::map<int, DragAct> drags_;     // that go on over the drawing, by device
+  std::optional<DragAct> drag_;      // that goes on over the drawing: its last report
   bool hovering_ = false;            // over the drawing
   bool pointing_ = false;            // panels have been told of a pointer
 };

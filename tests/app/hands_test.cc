@@ -8,8 +8,10 @@ namespace {
 
 using input::DragPhase;
 using input::PenAct;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr int kPen = 0, kTouch = 1, kMouse = 2;
 
@@ -111,6 +113,30 @@ TEST_F(HandsTest, AMouseDrawsWithItsLeftButton) {
               ElementsAre("point", "hover"));
   EXPECT_THAT(Words(Pen(PenEvent::Kind::kDown, {500, 500}, kMouse)),
               ElementsAre("hover end", "begin draw"));
+}
+
+TEST_F(HandsTest, WhatComesDownBesideAPenThatDrawsDoesNothing) {
+  Pen(PenEvent::Kind::kDown, {800, 500});
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kDown, {300, 500}, kMouse)), IsEmpty());
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kMotion, {320, 500}, kMouse)), IsEmpty());
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kMotion, {810, 500})), ElementsAre("move draw"));
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kUp, {320, 500}, kMouse)), Not(Contains("end draw")));
+  EXPECT_TRUE(hands_.dragging());
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kUp, {820, 500})), Contains("end draw"));
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kDown, {300, 500}, kMouse)), Contains("begin draw"))
+      << "its turn";
+}
+
+TEST_F(HandsTest, APenTakesOverFromAMouseThatDraws) {
+  Pen(PenEvent::Kind::kDown, {300, 500}, kMouse);
+  Pen(PenEvent::Kind::kMotion, {320, 500}, kMouse);
+  const auto began = Pen(PenEvent::Kind::kDown, {800, 500});
+  ASSERT_THAT(Words(began), ElementsAre("end draw", "begin draw"));
+  EXPECT_EQ(std::get<DragAct>(began[0]).device, kMouse);
+  EXPECT_EQ(std::get<DragAct>(began[0]).px, Vec2(320, 500));
+  EXPECT_EQ(std::get<DragAct>(began[1]).device, kPen);
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kMotion, {330, 500}, kMouse)), IsEmpty());
+  EXPECT_THAT(Words(Pen(PenEvent::Kind::kMotion, {810, 500})), ElementsAre("move draw"));
 }
 
 TEST_F(HandsTest, AnUnpluggedPenEndsItsStrokeAndKeepsIt) {
