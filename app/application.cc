@@ -50,6 +50,11 @@ PenAct ActOf(PointerMode mode) {
   return PenAct::kDraw;
 }
 
+/// Whether it moves the camera.
+bool Moves(PenAct act) {
+  return act == PenAct::kOrbit || act == PenAct::kPan || act == PenAct::kZoom;
+}
+
 }  // namespace
 
 Application::Application(Display* display, SessionThread* session, ApplicationOptions options)
@@ -206,7 +211,7 @@ void Application::TakeSnapshot() {
   // A bookmark, an opened document: the session looks from elsewhere, and nobody has moved since.
   if (other_view && snapshot_->executed >= posted_ && !looking_.moving()) {
     told_ = snapshot_->state->camera;
-    LookFrom(told_);
+    if (!looking_.held()) LookFrom(told_);
   }
   if (!trials_.going_on()) picture_->SetState(snapshot_->state);
   placing_.SetState(snapshot_->state, snapshot_->executed);
@@ -335,6 +340,14 @@ void Application::Take(const PanelAct& act) {
   if (!panel_output_->takes_keys) static_cast<void>(TakeShortcut(*key));
 }
 
+void Application::HoldStill(const DragAct& drag) {
+  if (Moves(drag.act)) return;
+  const bool held = drag.phase == DragPhase::kBegin || drag.phase == DragPhase::kMove;
+  if (held == looking_.held()) return;
+  looking_.Hold(held);
+  Looked(false);  // what a gesture has left coarse
+}
+
 void Application::Take(const DragAct& act) {
   pen_.position_px = act.px;
   pen_.down = act.phase == DragPhase::kBegin || act.phase == DragPhase::kMove;
@@ -348,6 +361,7 @@ void Application::Take(const DragAct& act) {
   } else {
     aside_.PenLifted(Now_s());
   }
+  HoldStill(act);
   switch (act.act) {
     case PenAct::kDraw:
       if (act.phase == DragPhase::kBegin) SyncView();
@@ -413,6 +427,7 @@ bool Application::TakeShortcut(const KeyEvent& key) {
   const auto meant = shortcuts_.Feed(key, snapshot_->state->in_hand);
   if (!meant) return false;
   if (const auto* turn = std::get_if<TurnView>(&*meant)) {
+    if (looking_.held()) return true;
     looking_.Set(OrbitAbout(looking_.camera(), looking_.camera().target, turn->delta_px));
     Looked(true);
   } else {
@@ -449,6 +464,7 @@ void Application::Do(const PanelCommand& command) {
 }
 
 void Application::Do(ViewRequest view) {
+  if (looking_.held()) return;
   LookFrom(ViewFor(view, looking_.camera(), picture_->bounds()));
 }
 

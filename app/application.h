@@ -107,6 +107,8 @@ class Application {
   void SweepSelect(const DragAct& drag);
   /// Whether the drag places an element by hand.
   bool PlaceByHand(const DragAct& drag);
+  /// What is drawn is read with one camera, and what is dragged moves in one.
+  void HoldStill(const DragAct& drag);
   void Looked(bool changed);
   void LookFrom(const Camera& camera);
   /// Tells the session where the camera is, if it does not know.

@@ -12,8 +12,13 @@ void Looking::Set(const Camera& camera) {
   how_ = How::kNot;
 }
 
+void Looking::Hold(bool held) {
+  held_ = held;
+  if (held) how_ = How::kNot;
+}
+
 bool Looking::Begin(How how, const Vec2& px, const TouchedPoint& touched) {
-  if (how_ != How::kNot) return false;
+  if (held_ || how_ != How::kNot) return false;
   how_ = how;
   from_ = camera_;
   from_px_ = px;
@@ -51,7 +56,7 @@ bool Looking::Take(const DragAct& drag, const TouchedPoint& touched) {
 }
 
 bool Looking::Take(const WheelAct& wheel, const TouchedPoint& touched) {
-  if (moving()) return false;
+  if (held_ || moving()) return false;
   const Camera before = camera_;
   const Vec3 point = touched(camera_, wheel.px);
   if (wheel.what == PenAct::kZoom) {

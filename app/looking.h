@@ -31,6 +31,11 @@ class Looking {
   bool Take(const DragAct& drag, const TouchedPoint& touched);
   bool Take(const WheelAct& wheel, const TouchedPoint& touched);
 
+  /// While something is drawn or dragged over the picture, the camera stands still: gestures and
+  /// the wheel say nothing, and a gesture that goes on is over.
+  void Hold(bool held);
+  bool held() const { return held_; }
+
   /// Whether a gesture or drag goes on: the picture may be coarse.
   bool moving() const { return how_ != How::kNot; }
 
@@ -47,6 +52,7 @@ class Looking {
 
   Camera camera_;
   How how_ = How::kNot;
+  bool held_ = false;
   Camera from_;  // when the gesture began
   Vec2 from_px_{0, 0};
   Vec3 touched_{0, 0, 0};

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
 
 #include <sstream>
 
@@ -244,6 +245,33 @@ TEST_F(ApplicationTest, AStrokeGoesOnThroughResizeAndLostFocus) {
   Settle();
   EXPECT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 1u);
   EXPECT_EQ(application_->camera().width_px, 1200);
+}
+
+TEST_F(ApplicationTest, TheViewStandsStillWhileALineIsDrawn) {
+  PlugIn();
+  Do("lot rect(20,14)");
+  Do("view eye 30 14 40 target 10 5 7 fov 40 size 1600 1000");
+  const Camera before = application_->camera();
+  const Vec2 from = Pixel({0, 0, 14}), to = Pixel({0, 9, 14});
+  Draw(from, to);
+  display_->Inject(ScrollEvent{kMouse, t_s_, Vec2(80, 50), Vec2(0, -3)});
+  Key(KEY_PAGEUP);
+  Key(KEY_HOME);
+  display_->Inject(KeyEvent{kKeys, t_s_, KEY_LEFTSHIFT, true});
+  Key(KEY_LEFT);
+  display_->Inject(KeyEvent{kKeys, t_s_, KEY_LEFTSHIFT, false});
+  application_->Do(PanelCommand(ViewRequest::kAbove));
+  application_->Do(
+      PanelCommand(*ParseCommand("view eye 5 5 5 target 0 0 0 fov 40 size 1600 1000")));
+  Settle();
+  EXPECT_EQ(application_->camera(), before);
+  Lift(to);
+  Settle();
+  ASSERT_THAT(state().sketch.suggestions, testing::Not(IsEmpty()))
+      << "the line is read as it was drawn";
+  EXPECT_EQ(application_->camera(), before);
+  Key(KEY_PAGEUP);
+  EXPECT_NE(application_->camera(), before) << "it moves again";
 }
 
 TEST_F(ApplicationTest, TwoFingersMoveTheGroundOneToOne) {

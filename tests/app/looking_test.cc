@@ -50,6 +50,25 @@ TEST(LookingTest, OneGestureAtATimeMovesTheCamera) {
   EXPECT_FALSE(looking.Take(WheelAct{PenAct::kZoom, {5, 5}, {0, 1}}, OnGround));
 }
 
+TEST(LookingTest, ACameraThatIsHeldStandsStill) {
+  Looking looking(Start());
+  looking.Take(input::OrbitGesture{DragPhase::kBegin, {800, 700}, {800, 700}}, OnGround);
+  looking.Hold(true);
+  EXPECT_FALSE(looking.moving());
+  EXPECT_FALSE(
+      looking.Take(input::OrbitGesture{DragPhase::kMove, {800, 700}, {900, 700}}, OnGround));
+  EXPECT_FALSE(
+      looking.Take(input::OrbitGesture{DragPhase::kEnd, {800, 700}, {900, 700}}, OnGround));
+  EXPECT_FALSE(looking.Take(WheelAct{PenAct::kZoom, {800, 600}, {0, -3}}, OnGround));
+  looking.Take(input::PanZoomGesture{DragPhase::kBegin, {800, 700}, {800, 700}, 1}, OnGround);
+  looking.Hold(false);
+  EXPECT_FALSE(
+      looking.Take(input::PanZoomGesture{DragPhase::kMove, {800, 700}, {600, 500}, 1.5}, OnGround))
+      << "fingers that came meanwhile have to come anew";
+  EXPECT_EQ(looking.camera(), Start());
+  EXPECT_TRUE(looking.Take(WheelAct{PenAct::kZoom, {800, 600}, {0, -3}}, OnGround));
+}
+
 TEST(LookingTest, AWheelTurnedBackGivesTheSameView) {
   Looking looking(Start());
   EXPECT_TRUE(looking.Take(WheelAct{PenAct::kZoom, {800, 600}, {0, -3}}, OnGround));
