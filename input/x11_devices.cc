@@ -65,6 +65,17 @@ bool Holds(std::string_view text, std::string_view word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+/// "... Pad" of xf86-input-libinput, "xwayland-tablet-pad:19"; but no touch pad.
+bool IsPad(std::string_view name) {
+  return (Holds(name, " pad") || Holds(name, "-pad")) && !Holds(name, "touch");
+}
+
+/// A mouse on a tablet, which gets a valuator of pressure from drivers that describe all tools of a
+/// tablet alike: "xwayland-tablet cursor:18", "... Mouse (0x805)" of xf86-input-libinput.
+bool IsPuck(std::string_view name) {
+  return Holds(name, "tablet cursor") || Holds(name, " mouse (0") || Holds(name, " lens (0");
+}
+
 bool HasRole(const X11Device& device, X11Role role) {
   return std::any_of(device.axes.begin(), device.axes.end(),
                      [&](const X11Axis& axis) { return axis.role == role; });
@@ -151,11 +162,10 @@ std::optional<PenTool> X11ToolOf(const std::string& name, const std::string& wac
                                  bool has_pressure) {
   if (wacom_type == "STYLUS") return PenTool::kPen;
   if (wacom_type == "ERASER") return PenTool::kEraser;
-  if (wacom_type == "PAD" || (wacom_type.empty() && Holds(name, " pad") && !Holds(name, "touch"))) {
-    return std::nullopt;
-  }
+  if (wacom_type == "PAD" || (wacom_type.empty() && IsPad(name))) return std::nullopt;
   if (wacom_type == "CURSOR" || wacom_type == "TOUCH") return PenTool::kMouse;
   if (Holds(name, "eraser")) return PenTool::kEraser;
+  if (IsPuck(name)) return PenTool::kMouse;
   if (has_pressure) return PenTool::kPen;
   return PenTool::kMouse;
 }

@@ -32,6 +32,13 @@ bool Scrolls(X11Role role) { return role == X11Role::kScrollX || role == X11Role
 
 }  // namespace
 
+std::optional<ScrollEvent> X11PadScroll(const X11PointerReport& report, int device,
+                                        double px_per_mm) {
+  const auto steps = WheelButton(report.button);
+  if (report.kind != Kind::kPress || !steps || !IsFinite(report.position_px)) return std::nullopt;
+  return ScrollEvent{device, report.t_s, report.position_px / px_per_mm, *steps};
+}
+
 std::optional<double> X11Pointer::Fraction(X11Role role) const {
   for (const X11Axis& axis : facts_.axes) {
     if (axis.role != role) continue;

@@ -41,6 +41,12 @@ struct X11PointerReport {
   std::vector<std::pair<int, double>> values;  ///< of valuators that changed, by number
 };
 
+/// What a report of a tablet's pad means: its ring and strips turn a wheel where the pointer is.
+/// Its keys are buttons to X, but not the pointer's: they mean nothing. device  in whose name it is
+/// told.
+std::optional<ScrollEvent> X11PadScroll(const X11PointerReport& report, int device,
+                                        double px_per_mm);
+
 /// Pens: X has no word for coming near, so a pen's first report is that; the tip is button 1.
 /// Buttons 4 to 7 are a wheel's where the device has no scrolling valuators.
 class X11Pointer {

@@ -142,18 +142,18 @@ void X11Source::LeaveOthers(int id, double t_s, std::vector<InputEvent>* out) {
   }
 }
 
-/// Programs that move the pointer do so in the name of the master; any mouse can stand for it.
-std::map<int, X11Pointer>::iterator X11Source::FindPointer(int id) {
-  const auto found = pointers_.find(id);
-  if (found != pointers_.end() || devices_.contains(id)) return found;
+std::map<int, X11Pointer>::iterator X11Source::AnyMouse() {
   return std::find_if(pointers_.begin(), pointers_.end(),
                       [](const auto& pointer) { return pointer.second.tool() == PenTool::kMouse; });
 }
 
+/// Programs that move the pointer do so in the name of the master; any mouse can stand for it.
+std::map<int, X11Pointer>::iterator X11Source::FindPointer(int id, int master) {
+  return id == master ? AnyMouse() : pointers_.find(id);
+}
+
 void X11Source::TakePointer(const void* data, std::vector<InputEvent>* out) {
   const auto& event = *static_cast<const XIDeviceEvent*>(data);
-  const auto pointer = FindPointer(event.sourceid);
-  if (pointer == pointers_.end()) return;
   X11PointerReport report;
   report.kind = KindOf(event.evtype);
   report.t_s = Time(event.time);
@@ -161,6 +161,15 @@ void X11Source::TakePointer(const void* data, std::vector<InputEvent>* out) {
   report.button = event.detail;
   report.emulated = (event.flags & XIPointerEmulated) != 0;
   report.values = ValuesOf(event.valuators);
+  const auto pointer = FindPointer(event.sourceid, event.deviceid);
+  if (pointer == pointers_.end()) {
+    // What moves the master, but is none of the devices, is a tablet's pad.
+    const auto mouse = devices_.contains(event.sourceid) ? pointer : AnyMouse();
+    if (mouse == pointers_.end()) return;
+    const auto turned = X11PadScroll(report, mouse->second.device(), px_per_mm_);
+    if (turned) out->emplace_back(*turned);
+    return;
+  }
   // One pointer on the screen: what another device does with it, the last one no more does.
   if (!report.emulated) LeaveOthers(pointer->first, report.t_s, out);
   Append(out, pointer->second.Feed(report));
@@ -173,7 +182,7 @@ void X11Source::TakeCrossing(const void* data, std::vector<InputEvent>* out) {
     LeaveOthers(-1, t_s, out);
     return;
   }
-  const auto pointer = FindPointer(event.sourceid);
+  const auto pointer = FindPointer(event.sourceid, event.deviceid);
   if (pointer == pointers_.end()) return;
   for (const X11Device& device : ReadX11Devices(display_, px_per_mm_, pointer->first)) {
     std::vector<std::pair<int, double>> values;

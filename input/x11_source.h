@@ -53,7 +53,8 @@ class X11Source {
   void Remove(int id, double t_s, std::vector<InputEvent>* out);
   void Refresh(double t_s, std::vector<InputEvent>* out);
   void WatchProximity(int id);
-  std::map<int, X11Pointer>::iterator FindPointer(int id);
+  std::map<int, X11Pointer>::iterator FindPointer(int id, int master);
+  std::map<int, X11Pointer>::iterator AnyMouse();
   void TakePointer(const void* data, std::vector<InputEvent>* out);
   void TakeCrossing(const void* data, std::vector<InputEvent>* out);
   void TakeTouch(const void* data, std::vector<InputEvent>* out);

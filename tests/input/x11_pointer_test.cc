@@ -134,6 +134,18 @@ TEST(X11Pointers, AWheelOfButtonsCountsPresses) {
   EXPECT_TRUE(mouse.Feed(Button(Kind::kRelease, 4)).empty());
 }
 
+TEST(X11Pads, TheirRingsTurnAWheelAndTheirKeysAreNoButtons) {
+  const auto turned = X11PadScroll(Button(Kind::kPress, 5), 3, 4);
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(turned->device, 3);
+  EXPECT_EQ(turned->steps, Vec2(0, 1));
+  EXPECT_EQ(turned->position_mm, Vec2(10, 20));
+  EXPECT_FALSE(X11PadScroll(Button(Kind::kRelease, 5), 3, 4)) << "once a notch";
+  for (const int key : {1, 2, 3, 8, 9, 13}) {
+    EXPECT_FALSE(X11PadScroll(Button(Kind::kPress, key), 3, 4)) << key;
+  }
+}
+
 TEST(X11Pointers, WhatTheServerMadeUpOrCannotBeIsLeftOut) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   X11Pointer pen = Pen();
@@ -158,6 +170,10 @@ TEST(X11Devices, ToolsAreToldByTypeNameAndPressure) {
   EXPECT_EQ(X11ToolOf("Wacom Intuos Pro M Pad", "", false), std::nullopt);
   EXPECT_EQ(X11ToolOf("xwayland-tablet stylus:17", "", true), PenTool::kPen);
   EXPECT_EQ(X11ToolOf("xwayland-tablet eraser:17", "", true), PenTool::kEraser);
+  EXPECT_EQ(X11ToolOf("xwayland-tablet-pad:19", "", false), std::nullopt);
+  EXPECT_EQ(X11ToolOf("xwayland-tablet cursor:18", "", true), PenTool::kMouse);
+  EXPECT_EQ(X11ToolOf("Wacom Intuos4 6x9 Pen Mouse (0x0805)", "", true), PenTool::kMouse);
+  EXPECT_EQ(X11ToolOf("Wacom Intuos4 6x9 Pen Lens (0)", "", true), PenTool::kMouse);
   EXPECT_EQ(X11ToolOf("xwayland-pointer:16", "", false), PenTool::kMouse);
   EXPECT_EQ(X11ToolOf("SynPS/2 Synaptics TouchPad", "", false), PenTool::kMouse);
 }
