@@ -108,10 +108,29 @@ void X11Pointer::Press(const X11PointerReport& report, std::vector<InputEvent>* 
     out->emplace_back(Make(pressed ? PenEvent::Kind::kDown : PenEvent::Kind::kUp, report.t_s));
     return;
   }
-  PenEvent event = Make(PenEvent::Kind::kButton, report.t_s);
-  event.button = ButtonCode(facts_.tool, report.button);
+  std::erase(held_, report.button);
+  if (pressed) held_.push_back(report.button);
+  out->emplace_back(SideButton(report.button, pressed, report.t_s));
+}
+
+PenEvent X11Pointer::SideButton(int button, bool pressed, double t_s) const {
+  PenEvent event = Make(PenEvent::Kind::kButton, t_s);
+  event.button = ButtonCode(facts_.tool, button);
   event.pressed = pressed;
-  out->emplace_back(event);
+  return event;
+}
+
+void X11Pointer::ComeNear(const X11PointerReport& report, std::vector<InputEvent>* out) {
+  if (near_) return;
+  near_ = true;
+  out->emplace_back(Make(PenEvent::Kind::kProximityIn, report.t_s));
+  // A mouse's buttons begin drags: those that began elsewhere are not ours.
+  if (facts_.tool == PenTool::kMouse) return;
+  if (report.held) {
+    held_ = *report.held;
+    std::erase_if(held_, [](int button) { return button == 1 || WheelButton(button); });
+  }
+  for (const int button : held_) out->emplace_back(SideButton(button, true, report.t_s));
 }
 
 std::vector<InputEvent> X11Pointer::Feed(const X11PointerReport& report) {
@@ -124,8 +143,7 @@ std::vector<InputEvent> X11Pointer::Feed(const X11PointerReport& report) {
   if (IsFinite(report.position_px)) position_mm_ = report.position_px / px_per_mm_;
   Vec2 steps(0, 0);
   TakeValues(report, &steps);
-  if (!near_) out.emplace_back(Make(PenEvent::Kind::kProximityIn, report.t_s));
-  near_ = true;
+  ComeNear(report, &out);
   if (report.kind == Kind::kMotion) {
     if (steps != Vec2(0, 0)) {
       out.emplace_back(ScrollEvent{facts_.device, report.t_s, position_mm_, steps});

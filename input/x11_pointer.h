@@ -39,6 +39,8 @@ struct X11PointerReport {
   int button = 0;                              ///< X's number: 1 the tip or the left one
   bool emulated = false;                       ///< made by the server from another report
   std::vector<std::pair<int, double>> values;  ///< of valuators that changed, by number
+  /// X's numbers of the buttons that were down before it, where the server says so.
+  std::optional<std::vector<int>> held = {};
 };
 
 /// What a report of a tablet's pad means: its ring and strips turn a wheel where the pointer is.
@@ -48,7 +50,9 @@ std::optional<ScrollEvent> X11PadScroll(const X11PointerReport& report, int devi
                                         double px_per_mm);
 
 /// Pens: X has no word for coming near, so a pen's first report is that; the tip is button 1.
-/// Buttons 4 to 7 are a wheel's where the device has no scrolling valuators.
+/// Buttons 4 to 7 are a wheel's where the device has no scrolling valuators. A pen that comes near
+/// with buttons held tells them at once: it left while another device moved the pointer, or beyond
+/// the window's edge, and X tells a press once.
 class X11Pointer {
  public:
   X11Pointer(X11PointerFacts facts, double px_per_mm)
@@ -70,6 +74,8 @@ class X11Pointer {
   std::optional<double> Fraction(X11Role role) const;
   std::optional<double> Tilt_deg(X11Role role) const;
   void TakeValues(const X11PointerReport& report, Vec2* steps);
+  void ComeNear(const X11PointerReport& report, std::vector<InputEvent>* out);
+  PenEvent SideButton(int button, bool pressed, double t_s) const;
   void Press(const X11PointerReport& report, std::vector<InputEvent>* out);
   bool HasScroll() const;
 
@@ -77,6 +83,7 @@ class X11Pointer {
   double px_per_mm_;
   Vec2 position_mm_{0, 0};
   bool near_ = false;
+  std::vector<int> held_;  // a pen's side buttons, by X's number
   bool down_ = false;
 };
 

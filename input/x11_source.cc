@@ -28,6 +28,14 @@ std::vector<std::pair<int, double>> ValuesOf(const XIValuatorState& state) {
   return values;
 }
 
+std::vector<int> ButtonsOf(const XIButtonState& state) {
+  std::vector<int> buttons;
+  for (int number = 1; number < state.mask_len * 8; ++number) {
+    if (XIMaskIsSet(state.mask, number)) buttons.push_back(number);
+  }
+  return buttons;
+}
+
 X11PointerReport::Kind KindOf(int type) {
   if (type == XI_ButtonPress) return X11PointerReport::Kind::kPress;
   if (type == XI_ButtonRelease) return X11PointerReport::Kind::kRelease;
@@ -161,6 +169,7 @@ void X11Source::TakePointer(const void* data, std::vector<InputEvent>* out) {
   report.button = event.detail;
   report.emulated = (event.flags & XIPointerEmulated) != 0;
   report.values = ValuesOf(event.valuators);
+  report.held = ButtonsOf(event.buttons);
   const auto pointer = FindPointer(event.sourceid, event.deviceid);
   if (pointer == pointers_.end()) {
     // What moves the master, but is none of the devices, is a tablet's pad.

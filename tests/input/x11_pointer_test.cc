@@ -104,6 +104,44 @@ TEST(X11Pointers, ButtonsOfPensAndMiceHaveTheirKernelCodes) {
   }
 }
 
+TEST(X11Pointers, AButtonThatIsHeldIsToldAgainWhenThePenComesBack) {
+  X11Pointer pen = Pen();
+  pen.Feed(At(Kind::kMotion, 1, {40, 80}));
+  pen.Feed(Button(Kind::kPress, 2));
+  EXPECT_EQ(PenAt(pen.Leave(2), 0).kind, PenEvent::Kind::kProximityOut);
+  const auto back = pen.Feed(At(Kind::kMotion, 3, {44, 80}));
+  ASSERT_EQ(back.size(), 3u);
+  EXPECT_EQ(PenAt(back, 0).kind, PenEvent::Kind::kProximityIn);
+  EXPECT_EQ(PenAt(back, 1).kind, PenEvent::Kind::kButton);
+  EXPECT_EQ(PenAt(back, 1).button, BTN_STYLUS);
+  EXPECT_TRUE(PenAt(back, 1).pressed);
+  EXPECT_EQ(PenAt(back, 2).kind, PenEvent::Kind::kMotion);
+  pen.Feed(Button(Kind::kRelease, 2));
+  pen.Leave(4);
+  EXPECT_EQ(pen.Feed(At(Kind::kMotion, 5, {44, 80})).size(), 2u) << "let go of before it left";
+}
+
+TEST(X11Pointers, ButtonsPressedAndLetGoOfElsewhereCount) {
+  X11Pointer pen = Pen();
+  X11PointerReport came = At(Kind::kMotion, 1, {40, 80});
+  came.held = {{1, 3, 4}};  // as the server says; the tip and the wheel are no buttons of a pen
+  auto events = pen.Feed(came);
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(PenAt(events, 1).button, BTN_STYLUS2);
+  came.held = {{2}};
+  EXPECT_EQ(pen.Feed(came).size(), 1u) << "while it is near its own reports are enough";
+  pen.Leave(2);
+  came.held = std::vector<int>();
+  EXPECT_EQ(pen.Feed(came).size(), 2u);
+}
+
+TEST(X11Pointers, AMouseThatComesBackPressesNothing) {
+  X11Pointer mouse({1, PenTool::kMouse, {}}, 4);
+  X11PointerReport came = At(Kind::kMotion, 1, {40, 80});
+  came.held = {{2, 3}};
+  EXPECT_EQ(mouse.Feed(came).size(), 2u);
+}
+
 TEST(X11Pointers, AWheelWithValuatorsCountsNotches) {
   X11Pointer mouse({1,
                     PenTool::kMouse,
