@@ -47,9 +47,7 @@ KmsOutput Describe(int card, const drmModeRes& resources, const drmModeConnector
       std::string(type ? type : "Unknown") + "-" + std::to_string(connector.connector_type_id);
   output.connected = connector.connection == DRM_MODE_CONNECTED;
   output.built_in = IsBuiltIn(connector.connector_type);
-  if (connector.mmWidth > 0 && connector.mmHeight > 0) {
-    output.size_mm = Vec2(connector.mmWidth, connector.mmHeight);
-  }
+  output.size_mm = SizeOf_mm(connector.mmWidth, connector.mmHeight);
   output.modes.assign(connector.modes, connector.modes + connector.count_modes);
   output.crtcs = CrtcsOf(card, resources, connector);
   return output;
@@ -83,6 +81,16 @@ Result<std::vector<KmsOutput>> ReadKmsOutputs(int card_fd) {
     if (connector) outputs.push_back(Describe(card_fd, *resources, *connector));
   }
   return outputs;
+}
+
+std::optional<Vec2> SizeOf_mm(uint32_t width_mm, uint32_t height_mm) {
+  const std::pair size(width_mm, height_mm);
+  for (const uint32_t unit_mm : {1, 10}) {
+    if (size == std::pair(16 * unit_mm, 9 * unit_mm)) return std::nullopt;
+    if (size == std::pair(16 * unit_mm, 10 * unit_mm)) return std::nullopt;
+  }
+  if (width_mm == 0 || height_mm == 0) return std::nullopt;
+  return Vec2(width_mm, height_mm);
 }
 
 std::optional<size_t> ChooseOutput(std::span<const KmsOutput> outputs, const std::string& wanted,

@@ -30,6 +30,11 @@ struct KmsOutput {
 /// errors  kDevice  the card has no screens: it only computes.
 Result<std::vector<KmsOutput>> ReadKmsOutputs(int card_fd);
 
+/// The size of a picture, from what the kernel makes of a screen's EDID. Nothing for none, and for
+/// what is no size but a shape: 16:9 and 16:10, which televisions and projectors put in its place,
+/// as millimetres or as centimetres.
+std::optional<Vec2> SizeOf_mm(uint32_t width_mm, uint32_t height_mm);
+
 /// Which output to draw on, as an index; nothing where none is connected and has a mode.
 ///
 /// wanted      the name of one; "" for any. Nothing else will do while it is named.

@@ -84,10 +84,20 @@ TEST(KmsScales, FollowTheDensityInQuarters) {
   EXPECT_EQ(ScaleOf({1024, 768}, Vec2(400, 300)), 1) << "never smaller than usual";
 }
 
+TEST(KmsSizes, AShapeIsNoSize) {
+  EXPECT_EQ(SizeOf_mm(600, 340), Vec2(600, 340));
+  EXPECT_EQ(SizeOf_mm(155, 87), Vec2(155, 87)) << "the smallest screens of computers";
+  EXPECT_EQ(SizeOf_mm(0, 0), std::nullopt);
+  for (const auto& [width, height] : {std::pair(16, 9), {16, 10}, {160, 90}, {160, 100}}) {
+    EXPECT_EQ(SizeOf_mm(width, height), std::nullopt) << width << " x " << height;
+  }
+}
+
 TEST(KmsScales, NonsenseCountsAsUsual) {
   EXPECT_EQ(ScaleOf({1920, 1080}, std::nullopt), 1);
   EXPECT_EQ(ScaleOf({1920, 1080}, Vec2(0, 0)), 1);
   EXPECT_EQ(ScaleOf({1920, 1080}, Vec2(16, 9)), 1) << "some screens give their shape as their size";
+  EXPECT_EQ(ScaleOf({1920, 1080}, SizeOf_mm(160, 90)), 1) << "the same, counted in centimetres";
   EXPECT_EQ(ScaleOf({1920, 1080}, Vec2(1600, 900)), 1) << "a projector";
 }
 
