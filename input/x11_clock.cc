@@ -15,7 +15,9 @@ double X11Clock::ToSeconds(uint32_t time_ms, double now_s) {
     shift_s_ = std::abs(t_s - now_s) > kNear_s ? now_s - t_s : 0;
   }
   t_s += *shift_s_;
-  return last_s_ = std::max(last_s_, t_s);
+  return Local(t_s);
 }
+
+double X11Clock::Local(double now_s) { return last_s_ = std::max(last_s_, now_s); }
 
 }  // namespace parti::input

@@ -15,6 +15,10 @@ class X11Clock {
   /// `now_s` is CLOCK_MONOTONIC at which `time_ms` was noticed. The result never decreases.
   double ToSeconds(uint32_t time_ms, double now_s);
 
+  /// The time of what is not the server's to tell: CLOCK_MONOTONIC's now_s, but never before what
+  /// was given out.
+  double Local(double now_s);
+
   /// A foreign clock is one that is farther off than this; events wait for less. [s]
   static constexpr double kNear_s = 2;
 

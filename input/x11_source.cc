@@ -266,7 +266,7 @@ std::vector<InputEvent> X11Source::ReleaseKeys() {
   for (const Held& held : held_) {
     KeyEvent key;
     key.device = held.device;
-    key.t_s = Time(static_cast<uint32_t>(static_cast<uint64_t>(Now() * 1000)));
+    key.t_s = clock_.Local(Now());
     key.code = held.code;
     out.emplace_back(key);
   }

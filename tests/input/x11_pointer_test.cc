@@ -242,6 +242,14 @@ TEST(X11Clocks, AForeignClockIsShiftedAsAWhole) {
   EXPECT_NEAR(clock.ToSeconds(5'001'000, 101.1), 101, 1e-6);
 }
 
+TEST(X11Clocks, OurOwnTimesAreNotTheServers) {
+  X11Clock clock;
+  EXPECT_NEAR(clock.ToSeconds(5'000'000, 100), 100, 1e-6);
+  EXPECT_NEAR(clock.Local(100.5), 100.5, 1e-6);
+  EXPECT_NEAR(clock.ToSeconds(5'001'000, 101.1), 101, 1e-6) << "later events are not held back";
+  EXPECT_NEAR(clock.Local(100.9), 101, 1e-6) << "nor does it run back";
+}
+
 TEST(X11Clocks, TimesNeverDecrease) {
   X11Clock clock;
   EXPECT_EQ(clock.ToSeconds(2000, 2), 2);
