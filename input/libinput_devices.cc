@@ -26,6 +26,9 @@ double LibinputDevices::NeverBefore(double t_s) { return last_t_s_ = std::max(la
 
 void LibinputDevices::Add(libinput_device* device, double now_s, std::vector<InputEvent>* out) {
   if (!IsPenOrTouch(device) && !(mice_and_keys_ && IsMouseOrKeys(device))) {
+    // A switch that says that the keyboard is folded away, or the lid shut, is libinput's: it stops
+    // keys and touchpads by it, but not by one that is disabled.
+    if (mice_and_keys_ && IsSwitch(device)) return;
     libinput_device_config_send_events_set_mode(device, LIBINPUT_CONFIG_SEND_EVENTS_DISABLED);
     return;
   }

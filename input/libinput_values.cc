@@ -130,6 +130,10 @@ bool SendsKeys(libinput_device* device) {
   return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_KEYBOARD) != 0;
 }
 
+bool IsSwitch(libinput_device* device) {
+  return libinput_device_has_capability(device, LIBINPUT_DEVICE_CAP_SWITCH) != 0;
+}
+
 DeviceFacts FactsOf(libinput_device* device) {
   DeviceFacts facts;
   facts.name = libinput_device_get_name(device);

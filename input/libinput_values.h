@@ -21,6 +21,9 @@ bool IsMouseOrKeys(libinput_device* device);
 /// Whether keys come from it, however few: those of pads of numbers and power buttons, too.
 bool SendsKeys(libinput_device* device);
 
+/// Whether it has switches, as of a lid or of a keyboard that folds away.
+bool IsSwitch(libinput_device* device);
+
 /// Axes are read from the kernel's capability masks in sysfs, since libinput tells them only for a
 /// tool that is in proximity.
 DeviceFacts FactsOf(libinput_device* device);

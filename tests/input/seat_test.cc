@@ -1,7 +1,7 @@
 // Several devices on one seat, through the real libinput: what comes, goes, and is in the way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <linux/input-event-codes.h>
+#include <linux/input.h>
 
 #include "base/text_file.h"
 #include "input/gestures.h"
@@ -361,6 +361,33 @@ TEST(Seat, KeysGoByTheLettersOfTheLayout) {
     EXPECT_EQ(keys[i].repeat, i > 1 && i + 1 < keys.size()) << "until it is released";
   }
   EXPECT_FALSE(keys.back().pressed);
+}
+
+TEST(Seat, TheKeyboardThatIsFoldedUnderTheScreenIsSilent) {
+  constexpr int kFold = 10, kOwnKeys = 11;
+  tests::EvdevRecording own_keys = tests::KeyboardDevice(), fold;
+  own_keys.bus = BUS_I8042;  // which libinput takes for the computer's own
+  fold.name = "Mocked Tablet Mode Switch";
+  fold.codes[EV_SYN] = {};
+  fold.SetCode(EV_SW, SW_TABLET_MODE);
+  MockSeat seat;
+  seat.Describe(fold, {kFold, {"ID_INPUT_SWITCH=1"}});
+  seat.Describe(own_keys, {kOwnKeys, {"ID_INPUT_KEYBOARD=1", "ID_INPUT_KEY=1"}});
+  seat.Do("plug 10");
+  seat.Do("plug 11");
+  seat.Send(kOwnKeys, {Raw(0, EV_KEY, KEY_P, 1), Raw(10, EV_KEY, KEY_P, 0)});
+  seat.Send(kFold, {Raw(100, EV_SW, SW_TABLET_MODE, 1)});
+  seat.Do("wait 0.1");
+  seat.Send(kOwnKeys, {Raw(300, EV_KEY, KEY_Q, 1), Raw(310, EV_KEY, KEY_Q, 0)});
+  seat.Do("wait 0.1");
+  const auto looks = seat.Run();
+  ASSERT_TRUE(looks) << FormatError(looks.error());
+  std::vector<uint32_t> pressed;
+  for (const KeyEvent& key : Of<KeyEvent>({AllOf(*looks), {}})) {
+    if (key.pressed) pressed.push_back(key.code);
+  }
+  EXPECT_THAT(pressed, ElementsAre(KEY_P)) << "what a palm presses there is nobody's";
+  EXPECT_THAT(Of<DeviceEvent>({AllOf(*looks), {}}), SizeIs(1)) << "the switch itself is no device";
 }
 
 TEST(Seat, SuspendingEndsTheStrokeAndResumingBringsTheDevicesBack) {
