@@ -49,6 +49,12 @@ std::string WacomType(Display* display, int device) {
   return atoms.empty() ? "" : NameOf(display, atoms.front());
 }
 
+/// Whether the wacom driver tells a pen's buttons with its tip ("TPCButton"): it says the opposite.
+bool ButtonsWithTip(Display* display, int device) {
+  const auto hover = PropertyOf(display, device, "Wacom Hover Click", 8);
+  return !hover.empty() && hover.front() == 0;
+}
+
 std::optional<X11Role> RoleOf(const std::string& label) {
   if (label == "Abs Pressure") return X11Role::kPressure;
   if (label == "Abs Distance") return X11Role::kDistance;
@@ -133,6 +139,7 @@ bool SetPointerFacts(Display* display, double px_per_mm, X11Device* device) {
   facts.has_pointer = *tool == PenTool::kMouse;
   facts.has_pen = !facts.has_pointer;
   facts.has_eraser = *tool == PenTool::kEraser;
+  device->buttons_with_tip = *tool == PenTool::kPen && ButtonsWithTip(display, device->id);
   return true;
 }
 

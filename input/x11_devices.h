@@ -20,6 +20,7 @@ struct X11Device {
   DeviceFacts facts;
   PenTool tool = PenTool::kMouse;  ///< of those with has_pen or has_pointer
   std::vector<X11Axis> axes;
+  bool buttons_with_tip = false;  ///< as X11PointerFacts has it
 };
 
 /// What kind of tool a device's name and the wacom driver's word for it ("STYLUS", "ERASER",

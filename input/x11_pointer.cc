@@ -102,20 +102,29 @@ void X11Pointer::Press(const X11PointerReport& report, std::vector<InputEvent>* 
     }
     return;
   }
-  if (report.button == 1) {
-    if (pressed == down_) return;
-    down_ = pressed;
-    out->emplace_back(Make(pressed ? PenEvent::Kind::kDown : PenEvent::Kind::kUp, report.t_s));
-    return;
-  }
+  if (report.button == 1) return Touch(pressed, report.t_s, out);
   std::erase(held_, report.button);
   if (pressed) held_.push_back(report.button);
+  // What a stroke does is settled by what is held when it begins.
+  if (facts_.buttons_with_tip && !pressed) Touch(false, report.t_s, out);
   out->emplace_back(SideButton(report.button, pressed, report.t_s));
+  if (facts_.buttons_with_tip && pressed) Touch(true, report.t_s, out);
+}
+
+void X11Pointer::Touch(bool touches, double t_s, std::vector<InputEvent>* out) {
+  if (touches == down_) return;
+  down_ = touches;
+  out->emplace_back(Make(touches ? PenEvent::Kind::kDown : PenEvent::Kind::kUp, t_s));
+}
+
+uint32_t X11Pointer::CodeOf(int button) const {
+  const bool exchanged = facts_.buttons_with_tip && (button == 2 || button == 3);
+  return ButtonCode(facts_.tool, exchanged ? 5 - button : button);
 }
 
 PenEvent X11Pointer::SideButton(int button, bool pressed, double t_s) const {
   PenEvent event = Make(PenEvent::Kind::kButton, t_s);
-  event.button = ButtonCode(facts_.tool, button);
+  event.button = CodeOf(button);
   event.pressed = pressed;
   return event;
 }

@@ -28,6 +28,9 @@ struct X11PointerFacts {
   int device = 0;  ///< our number for it
   PenTool tool = PenTool::kMouse;
   std::vector<X11Axis> axes;
+  /// Its buttons are told when its tip touches, in place of button 1, and go when it lifts; 2 and 3
+  /// are exchanged. So the wacom driver does with what is built into a computer's screen.
+  bool buttons_with_tip = false;
 };
 
 /// A report, as XInput2 sends it.
@@ -74,8 +77,10 @@ class X11Pointer {
   std::optional<double> Fraction(X11Role role) const;
   std::optional<double> Tilt_deg(X11Role role) const;
   void TakeValues(const X11PointerReport& report, Vec2* steps);
+  uint32_t CodeOf(int button) const;
   void ComeNear(const X11PointerReport& report, std::vector<InputEvent>* out);
   PenEvent SideButton(int button, bool pressed, double t_s) const;
+  void Touch(bool touches, double t_s, std::vector<InputEvent>* out);
   void Press(const X11PointerReport& report, std::vector<InputEvent>* out);
   bool HasScroll() const;
 

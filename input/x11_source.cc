@@ -106,7 +106,9 @@ void X11Source::Add(const X11Device& device, double t_s, std::vector<InputEvent>
   devices_[device.id] = {number, device.facts};
   if (device.facts.has_pen || device.facts.has_pointer) {
     pointers_.erase(device.id);
-    pointers_.emplace(device.id, X11Pointer({number, device.tool, device.axes}, px_per_mm_));
+    pointers_.emplace(
+        device.id,
+        X11Pointer({number, device.tool, device.axes, device.buttons_with_tip}, px_per_mm_));
   }
   if (device.facts.has_pen) WatchProximity(device.id);
   out->emplace_back(DeviceEvent{DeviceEvent::Kind::kAdded, t_s, number, device.facts});

@@ -135,6 +135,39 @@ TEST(X11Pointers, ButtonsPressedAndLetGoOfElsewhereCount) {
   EXPECT_EQ(pen.Feed(came).size(), 2u);
 }
 
+TEST(X11Pointers, APenWhoseButtonsComeWithTheTipDrawsWithThem) {
+  X11Pointer pen({7, PenTool::kPen, {}, true}, 4);
+  pen.Feed(At(Kind::kMotion, 1, {40, 80}));
+  const auto down = pen.Feed(Button(Kind::kPress, 3));
+  ASSERT_EQ(down.size(), 2u);
+  EXPECT_EQ(PenAt(down, 0).kind, PenEvent::Kind::kButton);
+  EXPECT_EQ(PenAt(down, 0).button, BTN_STYLUS) << "the wacom driver exchanges the two";
+  EXPECT_TRUE(PenAt(down, 0).pressed);
+  EXPECT_EQ(PenAt(down, 1).kind, PenEvent::Kind::kDown);
+  EXPECT_TRUE(pen.is_down());
+  const auto up = pen.Feed(Button(Kind::kRelease, 3));
+  ASSERT_EQ(up.size(), 2u);
+  EXPECT_EQ(PenAt(up, 0).kind, PenEvent::Kind::kUp);
+  EXPECT_EQ(PenAt(up, 1).kind, PenEvent::Kind::kButton);
+  EXPECT_FALSE(PenAt(up, 1).pressed);
+  EXPECT_EQ(PenAt(pen.Feed(Button(Kind::kPress, 2)), 0).button, BTN_STYLUS2);
+  pen.Feed(Button(Kind::kRelease, 2));
+  EXPECT_EQ(PenAt(pen.Feed(Button(Kind::kPress, 1)), 0).kind, PenEvent::Kind::kDown)
+      << "the tip alone";
+}
+
+TEST(X11Pointers, AButtonPressedWhileTheTipIsDownBeginsAnotherStroke) {
+  X11Pointer pen({7, PenTool::kPen, {}, true}, 4);
+  pen.Feed(Button(Kind::kPress, 1));
+  EXPECT_EQ(PenAt(pen.Feed(Button(Kind::kRelease, 1)), 0).kind, PenEvent::Kind::kUp);
+  EXPECT_EQ(pen.Feed(Button(Kind::kPress, 3)).size(), 2u);
+  // Let go of while the tip is still down, the driver releases the tip, too.
+  EXPECT_EQ(PenAt(pen.Feed(Button(Kind::kRelease, 1)), 0).kind, PenEvent::Kind::kUp);
+  const auto up = pen.Feed(Button(Kind::kRelease, 3));
+  ASSERT_EQ(up.size(), 1u);
+  EXPECT_EQ(PenAt(up, 0).kind, PenEvent::Kind::kButton);
+}
+
 TEST(X11Pointers, AMouseThatComesBackPressesNothing) {
   X11Pointer mouse({1, PenTool::kMouse, {}}, 4);
   X11PointerReport came = At(Kind::kMotion, 1, {40, 80});
