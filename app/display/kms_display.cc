@@ -92,7 +92,7 @@ class KmsDisplay final : public Display {
   FramePace retry_;
   int retries_ = 0;
   ConsoleKeys console_keys_;
-  std::map<int, Vec2> pens_mm_;  // areas, by device
+  std::map<int, Vec2> pens_mm_;  // areas of display tablets, by device
   bool pen_came_ = false;        // since the screen was chosen
   std::vector<InputEvent> first_news_;
 };
@@ -236,7 +236,8 @@ Result<void> KmsDisplay::TakeSeatNews(DisplayNews* news) {
 void KmsDisplay::TakeDevice(const DeviceEvent& event) {
   if (event.kind == DeviceEvent::Kind::kRemoved) {
     pens_mm_.erase(event.device);
-  } else if (event.facts.has_pen && event.facts.size_mm) {
+  } else if (event.facts.has_pen && event.facts.has_display && event.facts.size_mm) {
+    // An opaque tablet has no screen, though one may be of its size.
     pens_mm_[event.device] = *event.facts.size_mm;
     pen_came_ = true;
   }
