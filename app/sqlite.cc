@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "app/file_ending.h"
+
 namespace parti::app {
 namespace {
 
@@ -48,6 +50,15 @@ std::string_view RemedyFor(int code) {
     default:
       return "check the disk, or save it as another file elsewhere";
   }
+}
+
+/// What a file that is no database may be instead, and what makes a document of it.
+std::string RemedyForNoDocument(const std::string& path) {
+  const std::string ending = EndingOf(path);
+  if (ending == ".cga")
+    return fmt::format("build what it says: parti derive '{}' --save house.parti", path);
+  if (ending == ".pen") return fmt::format("play it: parti replay '{}' --save house.parti", path);
+  return "open a .parti document; if this was one, a copy of it from before it was damaged";
 }
 
 }  // namespace
@@ -178,6 +189,9 @@ Error Database::Failure() const {
     case SQLITE_LOCKED:
       return {ErrorCode::kFile, fmt::format("can't use {}: {}", path_, reason),
               std::string(RemedyFor(code))};
+    case SQLITE_NOTADB:
+      return {ErrorCode::kDamagedFile, fmt::format("{} is no Parti document", path_),
+              RemedyForNoDocument(path_)};
     default:
       return {ErrorCode::kDamagedFile, fmt::format("{} is not a whole document: {}", path_, reason),
               "open a copy of it from before it was damaged"};

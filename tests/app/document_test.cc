@@ -196,6 +196,20 @@ TEST_F(DocumentTest, WhatIsNoDatabaseIsRefused) {
   EXPECT_FALSE(LooksLikeDocument(path_));
 }
 
+TEST_F(DocumentTest, RulesAndDrawingsAreNoDocumentsAndNotCalledDamaged) {
+  for (const auto& [ending, remedy] :
+       {std::pair(".cga", "parti derive '"), std::pair(".pen", "parti replay '"),
+        std::pair(".parti", "a copy of it from before it was damaged")}) {
+    const std::string path = path_ + ending;
+    ASSERT_TRUE(WriteFile(path, "Lot --> extrude(3) Mass\n"));
+    const auto opened = OpenDocument(path);
+    ASSERT_FALSE(opened);
+    EXPECT_TRUE(opened.error().message.ends_with(ending + std::string(" is no Parti document")))
+        << opened.error().message;
+    EXPECT_THAT(opened.error().hint, HasSubstr(remedy));
+  }
+}
+
 TEST_F(DocumentTest, AFileThatIsNotThereIsNoDamage) {
   path_ += ".missing";
   EXPECT_EQ(Refused().code, ErrorCode::kFile);
