@@ -47,6 +47,16 @@ Result<std::string> NewDraftPath(const std::string& data_folder) {
   }
 }
 
+bool IsDraft(const std::string& data_folder, const std::string& path) {
+  if (data_folder.empty()) return false;
+  std::error_code failed;
+  const fs::path drafts = DraftFolder(data_folder);
+  const fs::path folder = fs::absolute(path, failed).lexically_normal().parent_path();
+  // By its name first: a path may be on a disk that does not answer.
+  if (failed || folder.filename() != drafts.filename()) return false;
+  return folder == drafts || fs::equivalent(folder, drafts, failed);
+}
+
 std::vector<std::string> DraftsIn(const std::string& data_folder) {
   std::vector<std::pair<fs::file_time_type, std::string>> found;
   std::error_code code;

@@ -14,6 +14,9 @@ namespace parti::app {
 /// errors  kFile.
 Result<std::string> NewDraftPath(const std::string& data_folder);
 
+/// Whether a path lies among them, also of a file that is not there.
+bool IsDraft(const std::string& data_folder, const std::string& path);
+
 /// Drafts that were left there, by a kill or by ending without saving; newest first.
 std::vector<std::string> DraftsIn(const std::string& data_folder);
 

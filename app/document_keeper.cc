@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "app/document_drafts.h"
 #include "app/document_record.h"
@@ -12,9 +14,18 @@
 namespace parti::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 Error Vanished(const std::string& path) {
   return {ErrorCode::kFile, fmt::format("{} is gone: deleted, moved, or its disk pulled out", path),
           "put the disk back, or save it as another file: everything is still here"};
+}
+
+/// However the program was told of it, and wherever it was started.
+std::string Whole(const std::string& path) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(path, failed);
+  return failed ? path : whole.lexically_normal().string();
 }
 
 }  // namespace
@@ -99,7 +110,7 @@ Result<void> DocumentKeeper::WriteInto(const std::string& path, Document documen
 void DocumentKeeper::GoOnIn(const std::string& path, Result<DocumentFile> file, Document document) {
   file_.reset();
   unwritten_.clear();
-  status_ = DocumentStatus{path, true};
+  status_ = DocumentStatus{Whole(path), !IsDraft(folders_.data, path)};
   if (file) {
     file_ = std::move(*file);
   } else {
@@ -111,13 +122,13 @@ void DocumentKeeper::GoOnIn(const std::string& path, Result<DocumentFile> file, 
 }
 
 Result<void> DocumentKeeper::SaveAs(const std::string& path, Document in_memory) {
-  const std::string draft = status_.named ? "" : status_.path;
-  if (file_ && file_->IsAt(path) && unwritten_.empty()) {
-    status_.named = true;
-    return {};
-  }
+  const bool own = file_ && file_->IsAt(path);
+  if (own && unwritten_.empty()) return {};
+  // A draft that another Parti has open, or that is another file by now, is not ours to delete.
+  const bool moves = !own && !status_.named && file_ && file_->IsThere();
+  const std::string draft = moves ? status_.path : "";
   if (auto done = WriteInto(path, Everything(std::move(in_memory))); !done) return done;
-  if (!draft.empty() && draft != path) std::remove(draft.c_str());
+  if (moves) std::remove(draft.c_str());
   return {};
 }
 

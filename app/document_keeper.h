@@ -29,8 +29,8 @@ class DocumentKeeper {
   Result<void> New(Document start, bool give_up);
 
   /// Opens a document, read-only where another process has it or where it can't be written;
-  /// status() says why. Where this fails, what was open stays open. errors  those of OpenDocument;
-  /// kFile as New.
+  /// status() says why. A draft that was left stays a draft. Where this fails, what was open stays
+  /// open. errors  those of OpenDocument;  kFile  as New.
   Result<Document> Open(const std::string& path, bool give_up);
 
   /// Writes everything to `path`, also what could not be written so far, and goes on there. A draft

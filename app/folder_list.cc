@@ -32,8 +32,6 @@ fs::path Absolute(const std::string& path) {
   return failed ? fs::path("/") : absolute.lexically_normal();
 }
 
-bool IsIn(const fs::path& folder, const fs::path& path) { return path.parent_path() == folder; }
-
 }  // namespace
 
 PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders) {
@@ -46,8 +44,7 @@ PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders) {
   }
   if (!folders.data.empty()) files.drafts = DraftsLeft(folders.data);
   files.recent = RecentFiles(folders.state);
-  const fs::path drafts = fs::path(folders.data) / "drafts";
-  std::erase_if(files.recent, [&](const auto& path) { return IsIn(drafts, path); });
+  std::erase_if(files.recent, [&](const auto& path) { return IsDraft(folders.data, path); });
   const fs::path folder = Absolute(request.folder);
   files.folder = folder.string();
   std::error_code failed;

@@ -23,6 +23,8 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using tests::FaultyDisk;
 
+std::string NameOf(const std::string& path) { return fs::path(path).filename().string(); }
+
 /// A session whose every command goes to a keeper, as the session thread does it.
 class DocumentKeeperTest : public ::testing::Test {
  protected:
@@ -84,6 +86,34 @@ TEST_F(DocumentKeeperTest, SavingADraftUnderANameMovesIt) {
   EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
   EXPECT_TRUE(keeper_.status().named);
   EXPECT_THAT(RecentFiles(folders_.state), ElementsAre(path_));
+}
+
+TEST_F(DocumentKeeperTest, ADraftThatIsOpenedAgainIsStillOneAndMoves) {
+  Do("lot rect(20,14)");
+  const std::string draft = keeper_.status().path;
+  fs::create_directory_symlink(folders_.data, folder_ + "/link");
+  for (const std::string& path : {draft, folder_ + "/link/drafts/" + NameOf(draft)}) {
+    ASSERT_TRUE(keeper_.New(DocumentOf(Session()), false));
+    ASSERT_TRUE(keeper_.Open(path, false));
+    EXPECT_FALSE(keeper_.status().named) << path;
+  }
+  SaveAs(path_);
+  EXPECT_TRUE(keeper_.status().named);
+  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty()) << "no stale twin";
+  ExpectWhole(path_, 1);
+}
+
+TEST_F(DocumentKeeperTest, ADraftThatAnotherInstanceHasOpenIsLeftToIt) {
+  Do("lot rect(20,14)");
+  const std::string draft = keeper_.status().path;
+  DocumentKeeper second(folders_);
+  ASSERT_TRUE(second.Open(draft, false));
+  ASSERT_TRUE(second.status().read_only);
+  ASSERT_TRUE(second.SaveAs(path_, DocumentOf(session_)));
+  EXPECT_TRUE(second.status().named);
+  Do(kNode);
+  EXPECT_FALSE(keeper_.status().trouble);
+  ExpectWhole(draft, 2);
 }
 
 TEST_F(DocumentKeeperTest, TheUndoLimitHoldsInTheFileToo) {
