@@ -10,6 +10,7 @@
 #include "app/document_drafts.h"
 #include "app/document_record.h"
 #include "app/recent_files.h"
+#include "app/replacing.h"
 
 namespace parti::app {
 namespace {
@@ -121,9 +122,12 @@ void DocumentKeeper::GoOnIn(const std::string& path, Result<DocumentFile> file, 
   NoteRecentFile(folders_.state, path);
 }
 
-Result<void> DocumentKeeper::SaveAs(const std::string& path, Document in_memory) {
+Result<void> DocumentKeeper::SaveAs(const std::string& path, Document in_memory, bool replace) {
   const bool own = file_ && file_->IsAt(path);
   if (own && unwritten_.empty()) return {};
+  if (!own && !replace) {
+    if (auto free = CheckNothingIsAt(path); !free) return free;
+  }
   // A draft that another Parti has open, or that is another file by now, is not ours to delete.
   const bool moves = !own && !status_.named && file_ && file_->IsThere();
   const std::string draft = moves ? status_.path : "";

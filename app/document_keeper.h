@@ -36,8 +36,9 @@ class DocumentKeeper {
   /// Writes everything to `path`, also what could not be written so far, and goes on there. A draft
   /// goes away. Where this fails, what was open stays open.
   /// in_memory  what the session knows, for where the open file can't be read any more.
-  /// errors  those of SaveDocument.
-  Result<void> SaveAs(const std::string& path, Document in_memory);
+  /// replace    another file may lie there, and goes; the document's own always may.
+  /// errors  those of SaveDocument;  kFile  another file is there, and `replace` is false.
+  Result<void> SaveAs(const std::string& path, Document in_memory, bool replace = false);
 
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
   Document Everything(Document in_memory);

@@ -4,7 +4,8 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <string_view>
+#include <memory>
+#include <set>
 #include <tuple>
 
 #include "app/document_drafts.h"
@@ -15,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsOurs(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".parti" || ending == ".cga" || ending == ".pen";
+bool IsShown(const fs::path& path, bool is_folder) {
+  const bool hidden = path.filename().string().starts_with('.');
+  return !hidden && (is_folder || path.extension() == ".parti");
 }
 
 std::string Folded(std::string text) {
@@ -47,15 +48,19 @@ PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders) {
   std::erase_if(files.recent, [&](const auto& path) { return IsDraft(folders.data, path); });
   const fs::path folder = Absolute(request.folder);
   files.folder = folder.string();
+  auto others = std::make_shared<std::set<std::string>>();
   std::error_code failed;
   for (fs::directory_iterator i(folder, failed), end; !failed && i != end; i.increment(failed)) {
     const std::string name = i->path().filename().string();
     std::error_code unknown;
     const bool is_folder = i->is_directory(unknown);
-    if (name.front() == '.' || (!is_folder && !IsOurs(i->path()))) continue;
-    files.here.push_back({name, is_folder});
-    if (files.here.size() == kMostFiles) break;
+    if (IsShown(i->path(), is_folder) && files.here.size() < kMostFiles) {
+      files.here.push_back({name, is_folder});
+    } else {
+      others->insert(name);
+    }
   }
+  files.others = std::move(others);
   std::sort(files.here.begin(), files.here.end(), [](const PanelFile& a, const PanelFile& b) {
     return std::tuple(!a.is_folder, Folded(a.name), a.name) <
            std::tuple(!b.is_folder, Folded(b.name), b.name);

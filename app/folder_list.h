@@ -16,10 +16,10 @@ struct FolderRequest {
   std::vector<std::string> throw_away = {};  ///< drafts; such as are gone already don't matter
 };
 
-/// Folders first, then documents, rules and drawings, each by name without regard to capitals;
-/// nothing hidden. A folder that can't be read has nothing in it. At most kMostFiles. Drafts that
-/// are thrown away are deleted first; those that are left are listed apart, not among the recent
-/// files.
+/// Folders first, then documents, each by name without regard to capitals; nothing hidden, at most
+/// kMostFiles, and the names of all else apart. A folder that can't be read has nothing in it.
+/// Drafts that are thrown away are deleted first; those that are left are listed apart, not among
+/// the recent files.
 PanelFiles ListOf(const FolderRequest& request, const UserFolders& folders);
 
 inline constexpr size_t kMostFiles = 2000;

@@ -28,6 +28,8 @@ struct DocumentRequest {
   std::string path = {};
   /// kNew, kOpen: go on even where the open document has changes that could not be written.
   bool give_up = false;
+  /// The others: a file that is there may go. The open document's own need not be asked about.
+  bool replace = false;
   bool operator==(const DocumentRequest&) const = default;
 };
 

@@ -14,6 +14,7 @@
 #include "app/document_report.h"
 #include "app/document_thread.h"
 #include "app/output.h"
+#include "app/replacing.h"
 #include "app/session.h"
 #include "base/check.h"
 
@@ -202,16 +203,26 @@ class SessionThread::Impl {
         return Open(request, number);
       case DocumentRequest::Kind::kSaveAs:
         return document_->Run([&](DocumentKeeper& keeper) {
-          return keeper.SaveAs(request.path, DocumentOf(session_));
+          return keeper.SaveAs(request.path, DocumentOf(session_), request.replace);
         });
       case DocumentRequest::Kind::kExport:
-        return ExportModel(session_.state().model, session_.state().camera, request.path);
       case DocumentRequest::Kind::kRecordForReport:
-        return document_->Run([&](DocumentKeeper& keeper) {
-          return WriteReport(keeper.Everything(DocumentOf(session_)), request.path);
-        });
+        return WriteBeside(request);
     }
     return {};
+  }
+
+  /// What is written of a document that stays as it is.
+  Result<void> WriteBeside(const DocumentRequest& request) {
+    if (!request.replace) {
+      if (auto free = CheckNothingIsAt(request.path); !free) return free;
+    }
+    if (request.kind == DocumentRequest::Kind::kExport) {
+      return ExportModel(session_.state().model, session_.state().camera, request.path);
+    }
+    return document_->Run([&](DocumentKeeper& keeper) {
+      return WriteReport(keeper.Everything(DocumentOf(session_)), request.path);
+    });
   }
 
   Result<void> StartAnew(bool give_up) {

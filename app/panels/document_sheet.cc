@@ -4,31 +4,27 @@
 
 #include "app/panels/sheet_rows.h"
 #include "app/panels/words.h"
+#include "app/panels/writing.h"
 
 namespace parti::app::panels {
 namespace {
 
-constexpr const char* kEnding = ".parti";
-
 std::string WithEnding(const std::string& name) {
-  return name.ends_with(kEnding) ? name : name + kEnding;
-}
-
-std::string NameNow(const PanelView& view) {
-  if (!view.session || !view.session->document.named) return "House";
-  const std::string name = NameIn(view.session->document.path);
-  return name.ends_with(kEnding) ? name.substr(0, name.size() - 6) : name;
-}
-
-void Go(Ui* ui, Memory* memory, Sheet sheet) {
-  memory->open = sheet;
-  memory->name_asked = sheet == Sheet::kSaveAs;
-  ui->Send(ListFolder{ui->view().files.folder});
+  return name.ends_with(kDocumentEnding) ? name : name + std::string(kDocumentEnding);
 }
 
 void Ask(Ui* ui, Memory* memory, DocumentRequest request) {
   ui->Send(std::move(request));
   memory->open = Sheet::kNone;
+}
+
+void RecordRow(Ui* ui, Memory* memory, Form* form) {
+  const PanelFiles& files = ui->view().files;
+  const std::string name = FreeName(files, "parti-report", ".pen") + ".pen";
+  const ButtonLook record{.name = "Record for a bug report", .icon = Icon::kRecord};
+  if (form->Choice(record, name + " in " + files.folder)) {
+    Ask(ui, memory, {DocumentRequest::Kind::kRecordForReport, Joined(files.folder, name)});
+  }
 }
 
 /// The folder, the way up, and what lies in it; a document that was tapped.
@@ -59,12 +55,9 @@ void DocumentRows(Ui* ui, Memory* memory, Form* form) {
   const PanelFiles& files = ui->view().files;
   if (form->Heading("Document")) memory->open = Sheet::kNone;
   if (form->Choice({.name = "New", .icon = Icon::kNew})) Ask(ui, memory, {Kind::kNew});
-  if (form->Choice({.name = "Open…", .icon = Icon::kOpen})) Go(ui, memory, Sheet::kOpen);
-  if (form->Choice({.name = "Save as…", .icon = Icon::kSave})) Go(ui, memory, Sheet::kSaveAs);
-  const ButtonLook record{.name = "Record for a bug report", .icon = Icon::kRecord};
-  if (form->Choice(record)) {
-    Ask(ui, memory, {Kind::kRecordForReport, Joined(files.folder, "parti-report.pen")});
-  }
+  if (form->Choice({.name = "Open…", .icon = Icon::kOpen})) memory->Show(Sheet::kOpen);
+  if (form->Choice({.name = "Save as…", .icon = Icon::kSave})) memory->Show(Sheet::kSaveAs);
+  RecordRow(ui, memory, form);
   if (!files.trouble.empty()) form->Words(Capital(files.trouble) + ".");
   if (!files.drafts.empty()) form->Label("Drafts that were left");
   DraftRows(ui, memory, form, files.drafts.size());
@@ -87,14 +80,15 @@ void OpenRows(Ui* ui, Memory* memory, Form* form) {
 void SaveAsRows(Ui* ui, Memory* memory, Form* form) {
   if (form->Heading("Save as")) memory->open = Sheet::kNone;
   if (form->draw() && std::exchange(memory->name_asked, false)) {
-    memory->file_name = NameNow(ui->view());
+    memory->file_name = NameNow(ui->view(), kDocumentEnding);
     if (ui->view().has_keys) ui->StartTyping("Name", memory->file_name);
   }
   if (const auto typed = form->Field("Name", memory->file_name)) memory->file_name = *typed;
+  const std::string path = Joined(ui->view().files.folder, WithEnding(memory->file_name));
   const bool named = !memory->file_name.empty();
-  if (form->Action("Save here", named)) {
-    const std::string path = Joined(ui->view().files.folder, WithEnding(memory->file_name));
-    return Ask(ui, memory, {DocumentRequest::Kind::kSaveAs, path});
+  const DocumentRequest wish{DocumentRequest::Kind::kSaveAs, path};
+  if (auto save = WriteButton(ui, memory, form, "Save here", wish, named)) {
+    return Ask(ui, memory, std::move(*save));
   }
   if (const auto name = FileRows(ui, form)) memory->file_name = *name;
 }

@@ -17,12 +17,11 @@ constexpr size_t kMostOnCard = 3;
 
 /// The row of a draft that was asked about, in its place.
 void DoomedRow(Ui* ui, Memory* memory, Form* form, const std::string& path) {
-  form->Words(
-      fmt::format("Throw away the draft of {}? It can't be had again.", WordsOfDraft(path)));
-  const int pressed = form->Buttons({{.name = "Throw away for good", .label = "Throw away"},
-                                     {.name = "Keep it", .label = "Keep"}});
-  if (pressed == 0) ui->Send(ThrowAway{path});
-  if (pressed >= 0) memory->doomed_draft.clear();
+  const auto goes = form->AskOnceMore(
+      fmt::format("Throw away the draft of {}? It can't be had again.", WordsOfDraft(path)),
+      "Throw away");
+  if (goes && *goes) ui->Send(ThrowAway{path});
+  if (goes) memory->doomed_draft.clear();
 }
 
 void Row(Ui* ui, Memory* memory, Form* form, const std::string& path) {

@@ -75,6 +75,13 @@ int Form::Buttons(const std::vector<ButtonLook>& looks) {
   return pressed;
 }
 
+std::optional<bool> Form::AskOnceMore(const std::string& question, const std::string& act) {
+  Words(question);
+  const int pressed =
+      Buttons({{.name = act + " for good", .label = act}, {.name = "Keep it", .label = "Keep"}});
+  return pressed < 0 ? std::nullopt : std::optional(pressed == 0);
+}
+
 int Form::Stepper(const std::string& what, const std::string& words, bool less, bool more) {
   Box row = Row(ui_->U(kMeasures.target), 8);
   if (!draw_) return 0;

@@ -2,6 +2,7 @@
 // What the rows mean is each sheet's.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class Form {
   bool Action(const std::string& words, bool enabled = true);
   /// Several buttons side by side; the one that was pressed, -1 none.
   int Buttons(const std::vector<ButtonLook>& looks);
+  /// A question about what can't be had again, with what does it and "Keep" under it: whether it is
+  /// to be done; nothing while that is open.
+  std::optional<bool> AskOnceMore(const std::string& question, const std::string& act);
   /// Less, words, more: -1, 0 or 1.
   int Stepper(const std::string& what, const std::string& words, bool less, bool more);
   /// A text field under a label.

@@ -36,6 +36,7 @@ struct Memory {
   std::string open_layer;             ///< "Facade.door": its rule is being picked; "" none
   std::optional<uint64_t> dismissed;  ///< FailedRequest::number that was read
   std::string file_name;              ///< being given, without its folder
+  std::string doomed_file;            ///< asked about: replace it?
   bool name_asked = false;  ///< the sheet that asks for it has been opened, and not drawn yet
   std::string export_ending = "glb";
   std::string view_name;
@@ -45,10 +46,15 @@ struct Memory {
   std::vector<int> shown_node;    ///< path of the row in hand that was scrolled into sight
   std::vector<int> dragged_node;  ///< path of the row that is being moved; empty: none
 
+  /// Opens a sheet where the one before stood. Names are proposed anew.
+  void Show(Sheet sheet) {
+    open = sheet;
+    name_asked = sheet == Sheet::kSaveAs || sheet == Sheet::kExport;
+    doomed_file.clear();
+  }
   /// Opens a sheet, or closes it when it is the one that is open.
   void Toggle(Sheet sheet, const Box& button) {
-    open = open == sheet ? Sheet::kNone : sheet;
-    name_asked = open == Sheet::kSaveAs;
+    Show(open == sheet ? Sheet::kNone : sheet);
     opened_at = button;
   }
 };

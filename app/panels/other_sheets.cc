@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "app/file_ending.h"
 #include "app/output.h"
 #include "app/panels/sheet_rows.h"
 #include "app/panels/words.h"
+#include "app/panels/writing.h"
 #include "input/binding_table.h"
 
 namespace parti::app::panels {
@@ -71,31 +74,39 @@ void PenButton(const char* name, uint32_t button, Form* form, Settings* settings
   settings->bindings = input::BindingsText(table);
 }
 
-std::string ExportPath(const PanelView& view, const Memory& memory) {
-  const std::string ending = "." + memory.export_ending;
-  std::string name = memory.file_name;
-  if (!name.ends_with(ending)) name += ending;
-  return Joined(view.files.folder, name);
+/// A name that ends as exports do chooses the format; what is left is the name.
+void TakeName(const std::string& typed, Memory* memory) {
+  memory->file_name = typed;
+  for (const std::string& ending : Endings()) {
+    if (EndingOf(typed) != "." + ending) continue;
+    memory->export_ending = ending;
+    memory->file_name.resize(typed.size() - ending.size() - 1);
+  }
 }
 
 }  // namespace
 
 void ExportRows(Ui* ui, Memory* memory, Form* form) {
   if (form->Heading("Export")) memory->open = Sheet::kNone;
-  if (memory->file_name.empty()) memory->file_name = "House";
+  if (std::exchange(memory->name_asked, false)) {
+    memory->file_name = NameNow(ui->view(), "." + memory->export_ending);
+  }
   for (const std::string& ending : Endings()) {
     const bool chosen = ending == memory->export_ending;
     const ButtonLook look{
         .name = "." + ending, .icon = chosen ? Icon::kCheck : Icon::kNone, .chosen = chosen};
     if (form->Choice(look, WordsFor(ending))) memory->export_ending = ending;
   }
-  if (const auto typed = form->Field("File name", memory->file_name)) memory->file_name = *typed;
-  const std::string path = ExportPath(ui->view(), *memory);
-  form->Words("Goes to " + path);
+  if (const auto typed = form->Field("File name", memory->file_name)) TakeName(*typed, memory);
+  const bool named = !memory->file_name.empty();
+  const std::string path =
+      Joined(ui->view().files.folder, memory->file_name + "." + memory->export_ending);
+  if (named) form->Words("Goes to " + path);
   const bool built = ui->view().session && !ui->view().session->state->model.lots().empty();
   if (!built) form->Words("There is nothing to export yet: draw a lot first.");
-  if (form->Action("Export", built)) {
-    ui->Send(DocumentRequest{DocumentRequest::Kind::kExport, path});
+  const DocumentRequest wish{DocumentRequest::Kind::kExport, path};
+  if (auto asked = WriteButton(ui, memory, form, "Export", wish, built && named)) {
+    ui->Send(std::move(*asked));
     memory->open = Sheet::kNone;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct PanelFiles {
   std::vector<PanelFile> here;           ///< folders and documents, in the order to show
   std::vector<std::string> drafts = {};  ///< paths of those that were left, the newest first
   std::string trouble = {};              ///< why a draft could not be thrown away; "" all is well
+  /// Names of all else that lies in `folder`: a new file would replace it. null: nothing.
+  std::shared_ptr<const std::set<std::string>> others = {};
 };
 
 /// Everything that a frame of panels depends on, input apart.

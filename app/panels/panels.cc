@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/drafts.h"
 #include "app/panels/element_bar.h"
@@ -56,6 +57,7 @@ class Panels::Parts {
   void Feed(const PanelEvent& event);
   bool TypesOnScreen(const PanelEvent& event);
   void FeedKey(const KeyEvent& key);
+  void ListFiles();
   void Once(double step_s);
   void DrawAll();
   void DrawColumn();
@@ -66,6 +68,7 @@ class Panels::Parts {
   ImGuiHost host_;
   Ui ui_;
   Memory memory_;
+  Sheet listed_for_ = Sheet::kNone;  ///< what was open in the last frame
   ScreenKeyboard keyboard_;
   Box keyboard_box_;
   bool keyboard_held_ = false;  ///< the pointer came down on it
@@ -152,8 +155,15 @@ void Panels::Parts::FeedKey(const KeyEvent& key) {
   if (ui_.field_active() || !PressSheetKey(key, host_.control(), &memory_)) return ui_.FeedKey(key);
   took_key_ = true;
   if (key.code == KEY_ESC) ui_.LetGoOfFocus();  // it was in what has just closed
-  const bool lists = memory_.open == Sheet::kOpen || memory_.open == Sheet::kSaveAs;
-  if (lists) output_.commands.emplace_back(ListFolder{view_.files.folder});
+}
+
+/// What has been opened and is about files is told what there is now, whoever opened it.
+void Panels::Parts::ListFiles() {
+  const Sheet before = std::exchange(listed_for_, memory_.open);
+  if (memory_.open == before) return;
+  for (const Sheet sheet : {Sheet::kDocument, Sheet::kOpen, Sheet::kSaveAs, Sheet::kExport}) {
+    if (memory_.open == sheet) output_.commands.emplace_back(ListFolder{view_.files.folder});
+  }
 }
 
 void Panels::Parts::Once(double step_s) {
@@ -163,6 +173,7 @@ void Panels::Parts::Once(double step_s) {
   ui_.End();
   output_.mesh = host_.Render(output_.sheets);
   took_key_ = took_key_ || ui_.took_key();
+  ListFiles();
   Obey();
 }
 

@@ -44,7 +44,7 @@ class DocumentKeeperTest : public ::testing::Test {
     session_.ForgetHistory();
   }
   void SaveAs(const std::string& path) {
-    const auto saved = keeper_.SaveAs(path, DocumentOf(session_));
+    const auto saved = keeper_.SaveAs(path, DocumentOf(session_), true);
     ASSERT_TRUE(saved) << FormatError(saved.error());
   }
   /// A document with a lot in it, at path_.
@@ -114,6 +114,29 @@ TEST_F(DocumentKeeperTest, ADraftThatAnotherInstanceHasOpenIsLeftToIt) {
   Do(kNode);
   EXPECT_FALSE(keeper_.status().trouble);
   ExpectWhole(draft, 2);
+}
+
+TEST_F(DocumentKeeperTest, AnotherFileIsNotSavedOverUnlessItMayGo) {
+  Begin();
+  const std::string other = folder_ + "/other.parti";
+  ASSERT_TRUE(SaveDocument(DocumentOf(Session()), other));
+  const auto refused = keeper_.SaveAs(other, DocumentOf(session_));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("other.parti is there already"));
+  ExpectWhole(path_, 1);
+  EXPECT_THAT(OpenDocument(other)->history, IsEmpty());
+  EXPECT_EQ(keeper_.status().path, path_);
+  EXPECT_TRUE(keeper_.SaveAs(path_, DocumentOf(session_))) << "its own file";
+  EXPECT_TRUE(keeper_.SaveAs(other, DocumentOf(session_), true));
+  ExpectWhole(other, 1);
+}
+
+TEST_F(DocumentKeeperTest, AFileThatTookTheDocumentsPlaceIsAnother) {
+  Begin();
+  ASSERT_TRUE(SaveDocument(DocumentOf(Session()), path_ + ".new"));
+  fs::rename(path_ + ".new", path_);
+  EXPECT_FALSE(keeper_.SaveAs(path_, DocumentOf(session_)));
+  EXPECT_THAT(OpenDocument(path_)->history, IsEmpty());
 }
 
 TEST_F(DocumentKeeperTest, TheUndoLimitHoldsInTheFileToo) {
@@ -248,7 +271,8 @@ TEST_F(DocumentKeeperTest, AnotherInstancesDocumentIsNotSavedOver) {
   Begin();
   DocumentKeeper second(folders_);
   ASSERT_TRUE(second.New(DocumentOf(Session()), false));
-  const auto saved = second.SaveAs(path_, DocumentOf(Session()));
+  EXPECT_FALSE(second.SaveAs(path_, DocumentOf(Session())));
+  const auto saved = second.SaveAs(path_, DocumentOf(Session()), true);
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().message, HasSubstr("is open in"));
   ExpectWhole(path_, 1);

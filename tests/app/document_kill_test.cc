@@ -121,7 +121,8 @@ TEST_F(DocumentKillTest, KilledWhileSavingAsTheOldOrTheNewFileIsWhole) {
   std::vector<SessionRequest> requests = {*ParseCommand("lot rect(20,14)")};
   for (int i = 0; i < 12; ++i) {
     const char* other = i % 2 == 0 ? "/a.parti" : "/b.parti";
-    requests.emplace_back(DocumentRequest{DocumentRequest::Kind::kSaveAs, folder_ + other});
+    requests.emplace_back(DocumentRequest{
+        .kind = DocumentRequest::Kind::kSaveAs, .path = folder_ + other, .replace = true});
     requests.emplace_back(*ParseCommand("node .Lot --> extrude(12) Mass"));
   }
   ASSERT_TRUE(SaveDocument(DocumentOf(Session()), path_));

@@ -14,16 +14,17 @@
 namespace parti::app {
 namespace {
 
-TEST(FolderListTest, FoldersFirstThenWhatPartiOpensByName) {
+TEST(FolderListTest, FoldersFirstThenDocumentsByNameAndAllElseApart) {
   const std::string folder = tests::TestFolder();
   std::filesystem::create_directories(folder + "/zoo");
-  for (const char* name : {"b.parti", "A.pen", "c.cga", "d.txt", ".e.parti"}) {
+  for (const char* name : {"b.parti", "A.parti", "c.cga", "c.pen", ".e.parti"}) {
     ASSERT_TRUE(WriteFile(folder + "/" + name, ""));
   }
   const PanelFiles files = ListOf({folder + "/zoo/.."}, {folder, folder});
   std::vector<std::string> names;
   for (const PanelFile& file : files.here) names.emplace_back(file.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"zoo", "A.pen", "b.parti", "c.cga"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"zoo", "A.parti", "b.parti"}));
+  EXPECT_EQ(*files.others, (std::set<std::string>{".e.parti", "c.cga", "c.pen"}));
   EXPECT_TRUE(files.here[0].is_folder);
   EXPECT_TRUE(std::filesystem::equivalent(files.folder, folder));
   std::filesystem::remove_all(folder);

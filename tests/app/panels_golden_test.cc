@@ -143,6 +143,17 @@ TEST_P(PanelsGolden, SaveAs) {
   Look("save-as", {"Title", "Save as"});
 }
 
+TEST_P(PanelsGolden, Replacing) {
+  panels_.view.session = WholeHouse();
+  panels_.Tap("Title/Document");
+  panels_.Tap("Document/Save as…");
+  panels_.Key(KEY_ENTER);
+  panels_.Tap("Save as/Courtyard.parti");
+  panels_.Tap("Save as/Save here");
+  panels_.Frame({PanelPointerGone{}});
+  Look("replace", {"Title", "Save as"});
+}
+
 TEST_P(PanelsGolden, Views) {
   panels_.view.session = WholeHouse();
   panels_.Tap("Menu/Views");

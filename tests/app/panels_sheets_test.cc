@@ -25,8 +25,27 @@ class PanelsSheets : public ::testing::Test {
     return std::any_of(sheets.begin(), sheets.end(),
                        [&](const PanelSheet& sheet) { return sheet.name == name; });
   }
+  /// The document is this one; "" one without a name.
+  void Hold(const std::string& path) {
+    auto session = std::make_shared<SessionSnapshot>(*panels_.view.session);
+    session->document = {.path = path, .named = !path.empty()};
+    panels_.view.session = session;
+  }
+  /// What else lies in the folder.
+  void Put(std::set<std::string> names) {
+    panels_.view.files.others = std::make_shared<const std::set<std::string>>(std::move(names));
+  }
+  void OpenSaveAs() {
+    panels_.view.has_keys = false;
+    panels_.Tap("Title/Document");
+    panels_.Tap("Document/Save as…");
+  }
   PanelDriver panels_;
 };
+
+PanelCommand Asked(Kind kind, const std::string& path, bool replace = false) {
+  return DocumentRequest{.kind = kind, .path = path, .replace = replace};
+}
 
 TEST_F(PanelsSheets, ANewDocumentIsAskedFor) {
   panels_.Tap("Title/Document");
@@ -103,10 +122,76 @@ TEST_F(PanelsSheets, ItIsSavedUnderATypedName) {
               ElementsAre(PanelCommand(DocumentRequest{Kind::kSaveAs, "/srv/Tower.parti"})));
 }
 
+TEST_F(PanelsSheets, AnotherDocumentIsReplacedAfterAskingOnceMore) {
+  OpenSaveAs();
+  panels_.Tap("Save as/Courtyard.parti");
+  EXPECT_THAT(panels_.Tap("Save as/Save here"), IsEmpty());
+  EXPECT_TRUE(panels_.Says("Replace Courtyard.parti?"));
+  EXPECT_THAT(panels_.Tap("Save as/Keep it"), IsEmpty());
+  EXPECT_THAT(panels_.Tap("Save as/Save here"), IsEmpty());
+  EXPECT_THAT(panels_.Tap("Save as/Replace for good"),
+              ElementsAre(Asked(Kind::kSaveAs, "/srv/Courtyard.parti", true)));
+  EXPECT_FALSE(ShowsSheet("Save as"));
+}
+
+TEST_F(PanelsSheets, AnotherNameOrAnotherLookTakesTheQuestionBack) {
+  OpenSaveAs();
+  panels_.TypeOver("Save as/Name", "Courtyard");
+  panels_.Tap("Save as/Save here");
+  ASSERT_TRUE(panels_.Shows("Save as/Replace for good"));
+  panels_.TypeOver("Save as/Name", "Barn");
+  EXPECT_FALSE(panels_.Shows("Save as/Replace for good"));
+  panels_.TypeOver("Save as/Name", "Courtyard");
+  ASSERT_TRUE(panels_.Shows("Save as/Replace for good"));
+  panels_.Tap("Save as/Close");
+  OpenSaveAs();
+  panels_.TypeOver("Save as/Name", "Courtyard");
+  EXPECT_FALSE(panels_.Shows("Save as/Replace for good"));
+}
+
+TEST_F(PanelsSheets, TheDocumentsOwnFileNeedsNoQuestionUnlessAnotherWritesIt) {
+  Hold("/srv/Courtyard.parti");
+  OpenSaveAs();
+  EXPECT_THAT(panels_.Tap("Save as/Save here"),
+              ElementsAre(Asked(Kind::kSaveAs, "/srv/Courtyard.parti")));
+  auto session = std::make_shared<SessionSnapshot>(*panels_.view.session);
+  session->document.read_only = true;
+  panels_.view.session = session;
+  OpenSaveAs();
+  EXPECT_THAT(panels_.Tap("Save as/Save here"), IsEmpty());
+}
+
+TEST_F(PanelsSheets, ADocumentWithoutANameIsProposedOneThatIsFree) {
+  Hold("");
+  panels_.view.files.here.push_back({"House.parti", false});
+  Put({"House 2.parti"});
+  OpenSaveAs();
+  EXPECT_THAT(panels_.Tap("Save as/Save here"),
+              ElementsAre(Asked(Kind::kSaveAs, "/srv/House 3.parti")));
+}
+
 TEST_F(PanelsSheets, TroubleOffersAnotherPlace) {
   panels_.view.session = InTrouble(WholeHouse());
   panels_.Tap("Status/Save elsewhere");
   EXPECT_TRUE(ShowsSheet("Save as"));
+}
+
+TEST_F(PanelsSheets, WhatIsAboutFilesListsThemWhenItOpens) {
+  const auto lists = ElementsAre(PanelCommand(ListFolder{"/srv"}));
+  EXPECT_THAT(panels_.Tap("Title/Document"), lists);
+  EXPECT_THAT(panels_.Tap("Document/Save as…"), lists);
+  EXPECT_THAT(panels_.Tap("Menu/Export"), lists);
+  EXPECT_THAT(panels_.Tap("Menu/Views"), IsEmpty());
+  panels_.view.session = InTrouble(WholeHouse());
+  EXPECT_THAT(panels_.Tap("Status/Save elsewhere"), lists);
+}
+
+TEST_F(PanelsSheets, ARecordingForAReportTakesAFreeName) {
+  Put({"parti-report.pen"});
+  panels_.Tap("Title/Document");
+  EXPECT_TRUE(panels_.Says("parti-report 2.pen in /srv"));
+  EXPECT_THAT(panels_.Tap("Document/Record for a bug report"),
+              ElementsAre(Asked(Kind::kRecordForReport, "/srv/parti-report 2.pen")));
 }
 
 TEST_F(PanelsSheets, AMessageThatWasReadIsClosed) {
@@ -129,6 +214,39 @@ TEST_F(PanelsSheets, AModelIsExportedInTheChosenFormat) {
   panels_.Tap("Export/.obj");
   EXPECT_THAT(panels_.Tap("Export/Export"),
               ElementsAre(PanelCommand(DocumentRequest{Kind::kExport, "/srv/House.obj"})));
+}
+
+TEST_F(PanelsSheets, AnExportIsNamedAfterTheDocumentThatIsOpenNow) {
+  Hold("/srv/Tower.parti");
+  panels_.Tap("Menu/Export");
+  EXPECT_THAT(panels_.Tap("Export/Export"), ElementsAre(Asked(Kind::kExport, "/srv/Tower.glb")));
+  Hold("/srv/Villa.parti");
+  panels_.Tap("Menu/Export");
+  EXPECT_THAT(panels_.Tap("Export/Export"), ElementsAre(Asked(Kind::kExport, "/srv/Villa.glb")));
+  Hold("");
+  Put({"House.glb"});
+  panels_.Tap("Menu/Export");
+  EXPECT_THAT(panels_.Tap("Export/Export"), ElementsAre(Asked(Kind::kExport, "/srv/House 2.glb")));
+}
+
+TEST_F(PanelsSheets, AnExportReplacesAFileAfterAskingOnceMore) {
+  Put({"House.glb"});
+  panels_.Tap("Menu/Export");
+  EXPECT_THAT(panels_.Tap("Export/Export"), IsEmpty());
+  EXPECT_TRUE(panels_.Says("Replace House.glb?"));
+  EXPECT_THAT(panels_.Tap("Export/Replace for good"),
+              ElementsAre(Asked(Kind::kExport, "/srv/House.glb", true)));
+}
+
+TEST_F(PanelsSheets, AnEndingThatIsTypedChoosesTheFormat) {
+  panels_.Tap("Menu/Export");
+  panels_.TypeOver("Export/File name", "a.OBJ");
+  EXPECT_TRUE(panels_.Says("Goes to /srv/a.obj"));
+  panels_.Tap("Export/.glb");
+  EXPECT_THAT(panels_.Tap("Export/Export"), ElementsAre(Asked(Kind::kExport, "/srv/a.glb")));
+  panels_.Tap("Menu/Export");
+  panels_.TypeOver("Export/File name", "St. Mary");
+  EXPECT_THAT(panels_.Tap("Export/Export"), ElementsAre(Asked(Kind::kExport, "/srv/St. Mary.glb")));
 }
 
 TEST_F(PanelsSheets, ViewsAreKeptAndTurnedTo) {

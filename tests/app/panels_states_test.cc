@@ -82,6 +82,14 @@ const StateCase kStates[] = {
        p->Tap("Title/Document");
        p->Tap("Document/Save as…");
      }},
+    {"Replacing",
+     [](PanelDriver* p) {
+       p->view.files = {{}, "/srv", {{"A.parti", false}}};
+       p->Tap("Title/Document");
+       p->Tap("Document/Save as…");
+       p->Tap("Save as/A.parti");
+       p->Tap("Save as/Save here");
+     }},
     {"Views", [](PanelDriver* p) { p->Tap("Menu/Views"); }},
     {"Export", [](PanelDriver* p) { p->Tap("Menu/Export"); }},
     {"Settings", [](PanelDriver* p) { p->Tap("Menu/Settings"); }},

@@ -284,6 +284,25 @@ TEST_F(SessionThreadTest, WhileALongDerivationRunsItIsSaidAndWhatWaitsIsAlreadyO
   EXPECT_FALSE(Settled(&thread, last)->busy);
 }
 
+TEST_F(SessionThreadTest, WhatIsThereIsReplacedOnlyWhereItMayBe) {
+  const std::string file = folder_ + "/there.glb";
+  ASSERT_TRUE(WriteFile(file, "somebody's work"));
+  SessionThread thread(options_);
+  thread.Post(Line("lot rect(20,14)"));
+  thread.Post(Line("node .Lot --> extrude(12) Mass"));
+  for (const Kind kind : {Kind::kSaveAs, Kind::kExport, Kind::kRecordForReport}) {
+    const uint64_t refused = thread.Post(DocumentRequest{kind, file});
+    const auto now = Settled(&thread, refused);
+    ASSERT_TRUE(now->last_error);
+    EXPECT_EQ(now->last_error->number, refused);
+    EXPECT_THAT(now->last_error->error.message, HasSubstr("is there already"));
+    EXPECT_EQ(*ReadFile(file), "somebody's work");
+  }
+  const DocumentRequest told{.kind = Kind::kExport, .path = file, .replace = true};
+  EXPECT_TRUE(Settled(&thread, thread.Post(told))->last_error->mended);
+  EXPECT_TRUE(ReadFile(file)->starts_with("glTF"));
+}
+
 TEST_F(SessionThreadTest, ASessionIsRecordedForAReport) {
   const std::string pen = folder_ + "/report.pen";
   SessionThread thread(options_);

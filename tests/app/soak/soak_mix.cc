@@ -276,12 +276,15 @@ void SoakMix::Document(SoakTarget* target) {
       return target->Send(DocumentRequest{Kind::kOpen, path + ".parti"});
     case 2:
     case 3:
-      return target->Send(DocumentRequest{Kind::kSaveAs, path + ".parti"});
-    case 4:
       return target->Send(
-          DocumentRequest{Kind::kExport, path + (Below(2) == 0 ? ".obj" : ".what")});
+          DocumentRequest{.kind = Kind::kSaveAs, .path = path + ".parti", .replace = true});
+    case 4:
+      return target->Send(DocumentRequest{.kind = Kind::kExport,
+                                          .path = path + (Below(2) == 0 ? ".obj" : ".what"),
+                                          .replace = true});
     case 5:
-      return target->Send(DocumentRequest{Kind::kRecordForReport, path + ".pen"});
+      return target->Send(
+          DocumentRequest{.kind = Kind::kRecordForReport, .path = path + ".pen", .replace = true});
     default:
       return target->Send(DocumentRequest{Kind::kSaveAs, folder_ + "/no/such/folder.parti"});
   }
