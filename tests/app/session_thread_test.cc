@@ -264,7 +264,7 @@ TEST_F(SessionThreadTest, WhileALongDerivationRunsItIsSaidAndWhatWaitsIsAlreadyO
   options_.path = folder_ + "/house.parti";
   ASSERT_TRUE(SaveDocument(DocumentOf(Session()), options_.path));
   SessionThread thread(options_);
-  thread.Post(Line("lot rect(450,450)"));
+  thread.Post(Line("lot rect(800,800)"));
   thread.Post(Line("node .Lot --> split(x) { ~1: Row }*"));
   const uint64_t rows = thread.Post(Line("take none"));
   const uint64_t heavy = thread.Post(Line("node .Row --> split(y) { ~1: Tile }*"));
