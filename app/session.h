@@ -42,7 +42,7 @@ class Session {
   Result<void> AddStroke(const Stroke& stroke);
 
   /// A command that fails changes nothing. Undo and redo go through strokes and commands alike,
-  /// except those that only look (IsLooking); the view stays.
+  /// except those that only look (IsLooking) or change nothing; the view stays.
   Result<void> Execute(const Command& command);
 
  private:

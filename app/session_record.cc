@@ -1,6 +1,7 @@
 #include "app/session_record.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/sketch_reading.h"
 
@@ -12,6 +13,14 @@ bool IsThere(const Model& model, const ShapeRef& ref) {
 }
 
 }  // namespace
+
+bool SessionRecord::operator==(const SessionRecord& other) const {
+  const auto rest = [](const SessionRecord& r) {
+    return std::tie(r.ground, r.strokes, r.unread, r.query, r.target, r.selection, r.views,
+                    r.in_hand, r.just_made, r.camera);
+  };
+  return rest(*this) == rest(other) && (rules == other.rules || *rules == *other.rules);
+}
 
 SessionRecord RecordOf(const SessionState& state) {
   const auto& ground = state.model.ground;

@@ -26,6 +26,9 @@ struct SessionRecord {
   std::vector<int> in_hand;
   bool just_made = false;
   Camera camera;
+
+  /// Rules that are alike are equal, shared or not; other ground is another one.
+  bool operator==(const SessionRecord& other) const;
 };
 
 /// Cost: that of copying the record.

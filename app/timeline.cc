@@ -94,6 +94,7 @@ TimelineStep& Timeline::At(uint64_t number) {
 }
 
 void Timeline::Change(SessionState next) {
+  if (RecordOf(next) == At(span_.now).record) return Look(std::move(next));
   steps_.resize(span_.now - span_.first + 1);
   steps_.push_back({RecordOf(next), std::move(next)});
   span_.last = ++span_.now;

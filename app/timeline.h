@@ -40,7 +40,8 @@ class Timeline {
   /// step in [span().first, span().last].
   const TimelineStep& step(uint64_t number) const { return At(number); }
 
-  /// A new step after the present one; what could be redone is gone.
+  /// A new step after the present one; what could be redone is gone. A state that differs from the
+  /// present one in nothing that is kept of it (SessionRecord) is no step.
   void Change(SessionState next);
   /// The present step, looked at in another way.
   void Look(SessionState same);

@@ -35,6 +35,19 @@ TEST(TimelineTest, LookingIsNoStep) {
   EXPECT_EQ(timeline.step(1).record.in_hand, (std::vector<int>{0, 0}));
 }
 
+TEST(TimelineTest, AStateLikeThePresentOneIsNoStep) {
+  Timeline timeline(StateWith("rect(1,1)", 1), {});
+  timeline.Change(StateWith("rect(1,1)", 2));
+  timeline.GoTo(0, *timeline.step(0).state);
+  SessionState same = timeline.present();
+  same.model.rules = std::make_shared<const grammar::Trees>(same.model.trees());
+  timeline.Change(same);
+  EXPECT_EQ(timeline.span(), (Timeline::Span{0, 0, 1})) << "equal rules, made anew";
+  same.selection.shapes = {{0, 0}};
+  timeline.Change(same);
+  EXPECT_EQ(timeline.span(), (Timeline::Span{0, 1, 1}));
+}
+
 TEST(TimelineTest, TheOldestStepsAreForgottenPastTheLimit) {
   Timeline timeline(StateWith("rect(1,1)", 1), {.steps = 3});
   for (int i = 0; i < 10; ++i) timeline.Change(StateWith("rect(1,1)", 2 + i));
