@@ -423,8 +423,18 @@ void Application::Do(ElementCommand command) {
   marks_stale_ = true;
 }
 
+ActedOn Application::ActedOnByKeys() const {
+  const SessionState& state = *snapshot_->state;
+  const Sketch& sketch = state.sketch;
+  // What is not executed yet may bring what the snapshot lacks.
+  const bool more = snapshot_->executed < posted_ || sketch.query;
+  return {panel_output_->node_shown ? state.in_hand : NodePath(),
+          more || !state.selection.shapes.empty(),
+          more || !sketch.strokes.empty() || !sketch.unread.empty()};
+}
+
 bool Application::TakeShortcut(const KeyEvent& key) {
-  const auto meant = shortcuts_.Feed(key, snapshot_->state->in_hand);
+  const auto meant = shortcuts_.Feed(key, ActedOnByKeys());
   if (!meant) return false;
   if (const auto* turn = std::get_if<TurnView>(&*meant)) {
     if (looking_.held()) return true;
@@ -517,13 +527,21 @@ void Application::RunPanels(std::vector<PanelEvent> events) {
   canvas_->SetPanelOpacities(aside_.opacities());
   if (!(panel_output_->preview == preview_)) overlay_stale_ = true;
   preview_ = panel_output_->preview;
-  overlay_stale_ |= queries_.Set(panel_output_->query_preview, snapshot_->state);
+  overlay_stale_ |= queries_.Set(QueryShown(), snapshot_->state);
   if (trials_.Set(panel_output_->trial, snapshot_->state) && !trials_.going_on()) {
     picture_->SetState(snapshot_->state);
   }
   // Commands may change what the panels show: they are copied, and done after the frame.
   const std::vector<PanelCommand> commands = panel_output_->commands;
   for (const PanelCommand& command : commands) Do(command);
+}
+
+/// The one whose card is hovered, else the one that the next sketch acts on.
+std::optional<grammar::Query> Application::QueryShown() const {
+  const auto& candidates = snapshot_->state->selection.candidates;
+  const auto hovered = panel_output_->query_preview;
+  if (hovered && *hovered < candidates.size()) return candidates[*hovered].query;
+  return snapshot_->state->sketch.query;
 }
 
 void Application::ShowMarks() {

@@ -103,6 +103,7 @@ class Application {
   void Do(ViewRequest view);
   void Do(ElementCommand command);
   bool TakeShortcut(const KeyEvent& key);
+  ActedOn ActedOnByKeys() const;
   void SelectUnder(const Vec2& px);
   void SweepSelect(const DragAct& drag);
   /// Whether the drag places an element by hand.
@@ -120,6 +121,7 @@ class Application {
   void SetPenWord(std::string word);
   void RunPanels(std::vector<PanelEvent> events);
   PanelView ViewForPanels() const;
+  std::optional<grammar::Query> QueryShown() const;
   void ShowMarks();
   Result<void> DrawFrame();
   Vec3 PointTouched(const Camera& camera, const Vec2& px) const;

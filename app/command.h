@@ -50,8 +50,11 @@ struct RenameEverywhere {
 };
 
 /// "query .Facade:north": another selection for the node in hand; where none is, what the next
-/// sketch acts on ("none" takes that back). "query 2": the 2nd query offered for the shapes tapped.
+/// sketch acts on. "query 2": the 2nd query offered for the shapes tapped. "query none": the next
+/// sketch acts on what it is drawn on again, whatever is in hand.
 struct SetQuery {
+  static constexpr const char* kNone = "none";
+
   std::string query;
   bool operator==(const SetQuery&) const = default;
 };
@@ -174,7 +177,8 @@ struct Erase {
 };
 
 /// "select 0/2/5 lot-1:0/3": shapes tapped; one that was selected before no longer is. "select
-/// none": no shape is. Empty: none.
+/// none": no shape is. Empty: none. The last that goes takes along the query chosen for the next
+/// sketch.
 struct Select {
   std::vector<std::string> shapes;  ///< their ids
   bool operator==(const Select&) const = default;

@@ -5,14 +5,16 @@
 
 namespace parti::app {
 
+bool QueryPreview::operator==(const QueryPreview& other) const {
+  return query == other.query && state->model.derived == other.state->model.derived;
+}
+
 WorldMarks OutlinesOf(const QueryPreview& preview, const DrawingStyle& style) {
   WorldMarks marks{{}, style.selected, style.selected_px};
   const SessionState& state = *preview.state;
-  if (preview.candidate >= state.selection.candidates.size()) return marks;
-  const grammar::Query& query = state.selection.candidates[preview.candidate].query;
   size_t outlined = 0;
   for (size_t lot = 0; lot < state.model.derived.size(); ++lot) {
-    const auto selected = grammar::ProductOf(query, state.model.derived[lot]->tree);
+    const auto selected = grammar::ProductOf(preview.query, state.model.derived[lot]->tree);
     if (!selected) continue;
     for (const grammar::ShapeIndex shape : *selected) {
       if (++outlined > kMostOutlined) return marks;
@@ -23,10 +25,10 @@ WorldMarks OutlinesOf(const QueryPreview& preview, const DrawingStyle& style) {
   return marks;
 }
 
-bool QueryPreviews::Set(std::optional<size_t> candidate,
+bool QueryPreviews::Set(std::optional<grammar::Query> query,
                         const std::shared_ptr<const SessionState>& state) {
   std::optional<QueryPreview> wanted;
-  if (candidate) wanted = {state, *candidate};
+  if (query) wanted = {state, std::move(*query)};
   if (wanted == shown_) return false;
   shown_ = std::move(wanted);
   if (shown_) worker_.Ask(*shown_);

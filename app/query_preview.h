@@ -1,5 +1,5 @@
-// Which shapes a query would select, as outlines: found beside the pen while a card is hovered.
-// Which queries are offered is grammar/generalise.h's.
+// Which shapes a query selects, as outlines: of one whose card is hovered, or that the next sketch
+// acts on. Found beside the thread that draws. Which query that is, the application says.
 #pragma once
 
 #include <memory>
@@ -11,23 +11,24 @@
 
 namespace parti::app {
 
-/// A query of a state's Selection::candidates, by its index.
+/// A query, and a state with the model that it selects from; not null.
 struct QueryPreview {
   std::shared_ptr<const SessionState> state;
-  size_t candidate = 0;
-  bool operator==(const QueryPreview&) const = default;
+  grammar::Query query;
+  /// What is drawn or looked at on the same model changes nothing.
+  bool operator==(const QueryPreview& other) const;
 };
 
-/// Outlines of what it selects, of the first kMostOutlined shapes; none where there is no such
-/// candidate. cost  that of the query, once for each lot.
+/// Outlines of what it selects, of the first kMostOutlined shapes.
+/// cost  that of the query, once for each lot.
 WorldMarks OutlinesOf(const QueryPreview& preview, const DrawingStyle& style = {});
 inline constexpr size_t kMostOutlined = 3000;
 
 /// Used by the thread that draws; owns one that looks for the shapes.
 class QueryPreviews {
  public:
-  /// The candidate to show in a state; nothing: none. Whether it is another one now.
-  bool Set(std::optional<size_t> candidate, const std::shared_ptr<const SessionState>& state);
+  /// The query to show in a state; nothing: none. Whether that shows something else now.
+  bool Set(std::optional<grammar::Query> query, const std::shared_ptr<const SessionState>& state);
   /// What has been found of it; null while it is looked for.
   const WorldMarks* marks();
   bool busy() const { return worker_.busy(); }

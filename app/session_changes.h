@@ -44,7 +44,7 @@ Result<SessionState> Do(const DropView& command, SessionState state, const Sessi
 
 /// What is drawn, and what is selected.
 Result<SessionState> Do(const Erase& command, SessionState state, const SessionOptions& options);
-Result<SessionState> Do(const Select& command, SessionState state, const SessionOptions&);
+Result<SessionState> Do(const Select& command, SessionState state, const SessionOptions& options);
 Result<SessionState> Do(const ClearSketch&, SessionState state, const SessionOptions&);
 
 }  // namespace parti::app

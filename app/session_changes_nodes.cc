@@ -69,13 +69,7 @@ Result<SessionState> WithSketchOn(SessionState state, std::optional<grammar::Que
                 fmt::format("nothing visible is selected by {}", grammar::TextOf(*query)),
                 "only what is visible can be drawn on");
   }
-  state.sketch.query = std::move(query);
-  state.sketch.target.reset();
-  state.sketch.suggestions.clear();
-  state.sketch.lines = {};
-  // Strokes that mean nothing there stay, for the lines to come.
-  if (auto read = ReadSketch(state, options)) state.sketch = std::move(*read);
-  return state;
+  return WithSketchAbout(std::move(state), std::move(query), options);
 }
 
 /// A number is that of a candidate; anything else is a query.
@@ -144,7 +138,7 @@ Result<SessionState> Do(const RenameEverywhere& command, SessionState state,
 
 Result<SessionState> Do(const SetQuery& command, SessionState state,
                         const SessionOptions& options) {
-  if (state.in_hand.empty() && command.query == "none") {
+  if (command.query == SetQuery::kNone) {
     return WithSketchOn(std::move(state), std::nullopt, options);
   }
   auto query = QueryMeant(command.query, state.selection);

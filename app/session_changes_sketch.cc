@@ -42,6 +42,12 @@ StrokeOutcome AfterOutline(SessionState state, std::shared_ptr<const DrawnStroke
   return {std::move(state), Fail(lot), {}};
 }
 
+/// No shape selected, and nothing chosen for what was.
+SessionState WithoutShapes(SessionState state, const SessionOptions& options) {
+  state.selection = {};
+  return state.sketch.query ? WithSketchAbout(std::move(state), std::nullopt, options) : state;
+}
+
 }  // namespace
 
 Result<SessionState> Do(const Erase& command, SessionState state, const SessionOptions& options) {
@@ -72,11 +78,8 @@ Result<SessionState> Do(const Erase& command, SessionState state, const SessionO
   return state;
 }
 
-Result<SessionState> Do(const Select& command, SessionState state, const SessionOptions&) {
-  if (command.shapes.empty()) {
-    state.selection = {};
-    return state;
-  }
+Result<SessionState> Do(const Select& command, SessionState state, const SessionOptions& options) {
+  if (command.shapes.empty()) return WithoutShapes(std::move(state), options);
   std::vector<ShapeRef> shapes = state.selection.shapes;
   for (const std::string& id : command.shapes) {
     const auto ref = RefAt(state.model, id);
@@ -88,6 +91,7 @@ Result<SessionState> Do(const Select& command, SessionState state, const Session
     state.in_hand.clear();
     state.just_made = false;
   }
+  if (state.selection.shapes.empty()) return WithoutShapes(std::move(state), options);
   return state;
 }
 

@@ -97,6 +97,28 @@ Shortcut ShortcutOf(const Row& row, const std::vector<int>& in_hand) {
   return TurnView{};
 }
 
+/// Whether there is what it acts on, and a key that is still held means it once more.
+bool Acts(Meaning meaning, bool repeat, const ActedOn& on) {
+  switch (meaning) {
+    case Meaning::kDelete:
+      return !repeat && !on.node.empty();
+    case Meaning::kUnselect:
+      return !repeat && on.selection;
+    case Meaning::kClear:
+      return !repeat && on.sketch;
+    case Meaning::kPick:
+    case Meaning::kNew:
+    case Meaning::kMode:
+      return !repeat;
+    case Meaning::kUndo:
+    case Meaning::kRedo:
+    case Meaning::kView:
+    case Meaning::kTurn:
+      return true;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<ShortcutRow> ShortcutRows() {
@@ -107,7 +129,7 @@ std::vector<ShortcutRow> ShortcutRows() {
   return shown;
 }
 
-std::optional<Shortcut> Shortcuts::Feed(const KeyEvent& key, const std::vector<int>& in_hand) {
+std::optional<Shortcut> Shortcuts::Feed(const KeyEvent& key, const ActedOn& on) {
   if (key.code == KEY_LEFTCTRL) ctrl_left_ = key.pressed;
   if (key.code == KEY_RIGHTCTRL) ctrl_right_ = key.pressed;
   if (key.code == KEY_LEFTSHIFT) shift_left_ = key.pressed;
@@ -117,8 +139,8 @@ std::optional<Shortcut> Shortcuts::Feed(const KeyEvent& key, const std::vector<i
       (ctrl_left_ || ctrl_right_ ? kCtrl : 0) | (shift_left_ || shift_right_ ? kShift : 0);
   for (const Row& row : Rows()) {
     if (row.code != key.code || row.held != held) continue;
-    if (row.meaning == Meaning::kDelete && in_hand.empty()) return std::nullopt;
-    return ShortcutOf(row, in_hand);
+    if (!Acts(row.meaning, key.repeat, on)) return std::nullopt;
+    return ShortcutOf(row, on.node);
   }
   return std::nullopt;
 }

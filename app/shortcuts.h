@@ -21,6 +21,13 @@ struct TurnView {
 
 using Shortcut = std::variant<PanelCommand, TurnView>;
 
+/// What there is for keys to act on; one whose part is missing means nothing.
+struct ActedOn {
+  std::vector<int> node = {};  ///< path of the node in hand, where a person sees it; empty: none
+  bool selection = false;      ///< shapes are selected, or a query is chosen for the sketch
+  bool sketch = false;         ///< strokes wait for a pick, or a query is chosen for them
+};
+
 /// One row of the table, as people read it.
 struct ShortcutRow {
   std::string_view keys;  ///< "Ctrl+Z"
@@ -34,8 +41,8 @@ std::vector<ShortcutRow> ShortcutRows();
 class Shortcuts {
  public:
   /// What a press means now; nothing for releases and for keys that mean nothing (they are the
-  /// panels'). `in_hand` is the path of the node in hand.
-  std::optional<Shortcut> Feed(const KeyEvent& key, const std::vector<int>& in_hand);
+  /// panels'). Of held keys only those repeat that undo, redo and look.
+  std::optional<Shortcut> Feed(const KeyEvent& key, const ActedOn& on);
 
  private:
   bool ctrl_left_ = false, ctrl_right_ = false, shift_left_ = false, shift_right_ = false;

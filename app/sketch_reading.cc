@@ -38,7 +38,7 @@ Result<Sketch> ReadInOneView(const SessionState& state,
   if (targets.empty()) {
     return Fail(ErrorCode::kNothingMade, "there is nothing to draw on",
                 state.model.lots().empty() ? "draw the outline of the lot on the ground"
-                                           : "take the query back: query none");
+                                           : "let the sketch act on anything again: query none");
   }
   std::vector<grammar::Item> items;
   items.reserve(targets.size());
@@ -81,6 +81,16 @@ Result<Sketch> ReadSketch(const SessionState& state, const SessionOptions& optio
   });
   return one_view || !state.sketch.target ? ReadInOneView(state, options.sketch)
                                           : ReadOnTarget(state, options.sketch);
+}
+
+SessionState WithSketchAbout(SessionState state, std::optional<grammar::Query> query,
+                             const SessionOptions& options) {
+  state.sketch.query = std::move(query);
+  state.sketch.target.reset();
+  state.sketch.suggestions.clear();
+  state.sketch.lines = {};
+  if (auto read = ReadSketch(state, options)) state.sketch = std::move(*read);
+  return state;
 }
 
 }  // namespace parti::app

@@ -14,6 +14,11 @@ namespace parti::app {
 ///         lot, or nothing visible to draw on.
 Result<Sketch> ReadSketch(const SessionState& state, const SessionOptions& options);
 
+/// The state with its sketch read anew as one about `query`; nothing: about what it is drawn on.
+/// Strokes that mean nothing there stay, for the lines to come.
+SessionState WithSketchAbout(SessionState state, std::optional<grammar::Query> query,
+                             const SessionOptions& options);
+
 /// The visible shapes that a sketch with this query may be drawn on.
 std::vector<ShapeRef> TargetsOf(const Model& model, const std::optional<grammar::Query>& query);
 

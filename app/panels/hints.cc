@@ -37,10 +37,19 @@ std::string HintOf(const PanelView& view) {
   if (!view.elements.empty() && view.mode == PointerMode::kSelect) {
     return "Drag an element by its middle, an edge or a corner, or tap which shapes you mean.";
   }
+  const bool chosen = state.sketch.query.has_value();
+  const bool drawn = !state.sketch.strokes.empty() || !state.sketch.unread.empty();
+  if (chosen && !drawn && view.mode == PointerMode::kDraw) {
+    return "Draw on one of them: what you make is made on all of them.";
+  }
+  if (chosen && !drawn && view.mode == PointerMode::kSelect) {
+    return "Draw (D) on one of them: what you make is made on all of them.";
+  }
   if (!state.selection.shapes.empty()) return "Tap which shapes you mean, or tap more of them.";
   if (!state.sketch.suggestions.empty()) return "Tap what you meant, or draw on.";
-  if (!state.sketch.strokes.empty() || !state.sketch.unread.empty()) {
-    return "Nothing to suggest for these lines: draw one more, or erase them.";
+  if (drawn) {
+    return chosen ? "Nothing to suggest for these lines there: draw one more, or erase them."
+                  : "Nothing to suggest for these lines: draw one more, or erase them.";
   }
   if (view.mode != PointerMode::kDraw) return HintOfMode(view.mode);
   if (!HasNodes(state)) return "Draw a line up from the lot: it becomes a building.";

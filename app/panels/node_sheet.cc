@@ -229,6 +229,10 @@ const SelectionActionNode* NodeInHand(const PanelView& view) {
   return node && node->action.operation ? node : nullptr;
 }
 
+const SelectionActionNode* NodeShown(const PanelView& view, const Memory& memory) {
+  return memory.rules_shown ? NodeInHand(view) : nullptr;
+}
+
 float NodeHeight(Ui* ui, const SelectionActionNode& node, float width) {
   const Box room = Rows(ui, {0, 0, width - ui->U(2 * kMeasures.gap), 0});
   const float doc = ui->Paragraph(node.action.operation->doc, room, {Letter::kSmall}, false);

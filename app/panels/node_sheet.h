@@ -3,6 +3,7 @@
 // Checking what is typed is the session's.
 #pragma once
 
+#include "app/panels/memory.h"
 #include "app/panels/ui.h"
 #include "grammar/selection_action.h"
 
@@ -10,6 +11,9 @@ namespace parti::app::panels {
 
 /// The node in hand; null where none is.
 const grammar::SelectionActionNode* NodeInHand(const PanelView& view);
+
+/// The same, null also while the rules are hidden: what nobody sees, nothing is to change.
+const grammar::SelectionActionNode* NodeShown(const PanelView& view, const Memory& memory);
 
 /// How high it would like to be, px.
 float NodeHeight(Ui* ui, const grammar::SelectionActionNode& node, float width);

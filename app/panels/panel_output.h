@@ -69,6 +69,7 @@ struct PanelOutput {
   std::optional<SetNumber> trial;
   std::optional<size_t> preview;        ///< index of the suggestion to show as wire frame
   std::optional<size_t> query_preview;  ///< index of the query whose shapes to outline
+  bool node_shown = false;              ///< the node in hand is to be seen: keys may act on it
   bool takes_pointer = false;           ///< the pointer is the panels'; draw no ink, orbit nothing
   bool holds_pointer = false;           ///< it is theirs wherever it goes: a press or a text field
   bool takes_keys = false;  ///< a text field is active, or a key of this frame moved or pressed

@@ -208,10 +208,11 @@ void Panels::Parts::DrawAll() {
 /// The rules, and under them the node in hand.
 void Panels::Parts::DrawColumn() {
   if (view_.session) memory_.typed_files.Settle(view_.session->state->model);
+  const auto* node = NodeShown(view_, memory_);
+  output_.node_shown = node != nullptr;
   if (!memory_.rules_shown) return;
   Box column = memory_.layout.rules;
   const float gap = ui_.U(8), rules = RulesHeight(&ui_, &memory_, column.width());
-  const auto* node = NodeInHand(view_);
   if (!node) return DrawRules(&ui_, &memory_, column.CutTop(rules));
   const float wanted = NodeHeight(&ui_, *node, column.width());
   const float most = std::max(column.height() * 0.58f, column.height() - rules - gap);

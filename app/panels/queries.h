@@ -1,4 +1,5 @@
-// What may be meant by tapped shapes: a card for each query, in plain words, with its count.
+// What may be meant by tapped shapes: a card for each query, in plain words, with its count. It is
+// for the node in hand, where that is shown, else for the next sketch; the one in force is marked.
 // Which queries there are is grammar/generalise.h's.
 #pragma once
 

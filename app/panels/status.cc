@@ -4,6 +4,7 @@
 
 #include "app/panels/hints.h"
 #include "app/panels/words.h"
+#include "grammar/query_reading.h"
 
 namespace parti::app::panels {
 namespace {
@@ -114,11 +115,45 @@ void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
   }
 }
 
+/// What the next sketch acts on, where that was chosen; else "".
+std::string ChosenOf(const PanelView& view) {
+  if (!view.session || !view.session->state->sketch.query) return "";
+  return "What you draw acts on " + grammar::ReadingOf(*view.session->state->sketch.query) + ".";
+}
+
+Box ChosenRoom(Ui* ui, float width) {
+  return {0, 0, width - ui->U(44 + 8 + 8 + kMeasures.target), 0};
+}
+
+float ChosenHeight(Ui* ui, float width) {
+  const std::string words = ChosenOf(ui->view());
+  if (words.empty()) return 0;
+  const float height = ui->Paragraph(words, ChosenRoom(ui, width), {}, false);
+  return std::max(ui->U(kMeasures.target + 8), height + ui->U(16));
+}
+
+void DrawChosen(Ui* ui, Box row) {
+  const std::string words = ChosenOf(ui->view());
+  if (words.empty()) return;
+  const Box room = ChosenRoom(ui, row.width());
+  const float height = ui->Paragraph(words, room, {}, false);
+  ui->Hairline(row);
+  ui->Picture(Icon::kSelect, row.CutLeft(ui->U(44)), Tone::kAccent, Ground::kPanel);
+  row.x1 -= ui->U(4);
+  const float side = ui->U(kMeasures.target);
+  const Box box = row.CutRight(side).Inset(0, (row.height() - side) / 2);
+  if (ui->Button({.name = "Act on anything again", .icon = Icon::kClose}, box).pressed) {
+    ui->Send(Command(SetQuery{SetQuery::kNone}));
+  }
+  row.y0 += (row.height() - height) / 2;
+  ui->Paragraph(words, row.CutLeft(room.x1));
+}
+
 }  // namespace
 
 float StatusHeight(Ui* ui, const Memory& memory, float width) {
   const float sheet = SheetWidth(ui, width);
-  float height = HintHeight(ui, sheet);
+  float height = HintHeight(ui, sheet) + ChosenHeight(ui, sheet);
   for (const Warning& warning : WarningsOf(ui, memory)) {
     height += HeightOf(ui, warning, sheet);
   }
@@ -133,6 +168,7 @@ void DrawStatus(Ui* ui, Memory* memory) {
   for (const Warning& warning : WarningsOf(ui, *memory)) {
     DrawWarning(ui, memory, warning, rest.CutTop(HeightOf(ui, warning, width)));
   }
+  DrawChosen(ui, rest.CutTop(ChosenHeight(ui, width)));
   const Doing doing = DoingOf(ui->view());
   Box right = rest.CutRight(DoingWidth(ui));
   ui->Picture(doing.icon, right.CutLeft(ui->U(36)), doing.tone, Ground::kPanel);

@@ -219,6 +219,15 @@ std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const Session
   return taken;
 }
 
+std::shared_ptr<const SessionSnapshot> Chosen(const std::shared_ptr<const SessionSnapshot>& session,
+                                              const std::string& query) {
+  SessionState state = *session->state;
+  state.sketch.query = *grammar::ParseQuery(query);
+  auto chosen = std::make_shared<SessionSnapshot>(*session);
+  chosen->state = std::make_shared<const SessionState>(std::move(state));
+  return chosen;
+}
+
 std::shared_ptr<const SessionSnapshot> InTrouble(
     const std::shared_ptr<const SessionSnapshot>& session) {
   auto troubled = std::make_shared<SessionSnapshot>(*session);

@@ -67,6 +67,9 @@ void HoldElement(PanelView* view);
 /// The same with a node in hand.
 std::shared_ptr<const SessionSnapshot> Taken(const std::shared_ptr<const SessionSnapshot>& session,
                                              const NodePath& path);
+/// The same with a query chosen for the next sketch.
+std::shared_ptr<const SessionSnapshot> Chosen(const std::shared_ptr<const SessionSnapshot>& session,
+                                              const std::string& query);
 /// The same with a full disk, and a command that failed.
 std::shared_ptr<const SessionSnapshot> InTrouble(
     const std::shared_ptr<const SessionSnapshot>& session);

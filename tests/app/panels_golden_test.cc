@@ -100,11 +100,24 @@ TEST_P(PanelsGolden, LayersOfTheFaceInHand) {
 }
 
 TEST_P(PanelsGolden, Queries) {
-  panels_.view.session = HouseWithTaps(2);
+  panels_.view.session = Chosen(HouseWithTaps(2), ".Glass");
   panels_.view.mode = PointerMode::kSelect;
   panels_.Tap("Menu/Rules");
   panels_.view.tapped_px = Vec2(520, 420) * GetParam().scale;
   Look("queries");
+}
+
+TEST_P(PanelsGolden, QueriesForANode) {
+  panels_.view.session = Taken(HouseWithTaps(2), {0, 0, 0, 0});
+  panels_.view.mode = PointerMode::kSelect;
+  panels_.Tap("Menu/Rules");
+  panels_.view.tapped_px = Vec2(520, 420) * GetParam().scale;
+  Look("queries-node", {"Queries"});
+}
+
+TEST_P(PanelsGolden, WhatTheNextSketchActsOn) {
+  panels_.view.session = Chosen(WholeHouse(), ".Glass");
+  Look("chosen", {"Status"});
 }
 
 TEST_P(PanelsGolden, AnElementInHand) {

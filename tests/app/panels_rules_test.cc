@@ -246,5 +246,29 @@ TEST_F(PanelsRules, TappedShapesOfferQueriesAndATapChoosesOne) {
   EXPECT_THAT(panels_.Tap("Queries/Select nothing"), ElementsAre(Sent(Select{})));
 }
 
+TEST_F(PanelsRules, CardsForANodeInHandNameItAndChangeIt) {
+  panels_.view.session = Taken(HouseWithTaps(2), {0, 3});
+  panels_.view.tapped_px = Vec2(600, 500);
+  EXPECT_TRUE(panels_.Says("What is "));
+  EXPECT_TRUE(panels_.Frame().node_shown);
+  EXPECT_THAT(panels_.Tap("Queries/1 "), ElementsAre(Sent(SetQuery{"1"})));
+}
+
+TEST_F(PanelsRules, WhileTheRulesAreHiddenCardsLetGoOfTheNodeInHand) {
+  panels_.view.session = Taken(HouseWithTaps(2), {0, 3});
+  panels_.view.tapped_px = Vec2(600, 500);
+  panels_.Tap("Menu/Rules");
+  EXPECT_FALSE(panels_.Frame().node_shown);
+  EXPECT_TRUE(panels_.Says("Which do you mean?"));
+  EXPECT_THAT(panels_.Tap("Queries/1 "), ElementsAre(Sent(app::Take{}), Sent(SetQuery{"1"})));
+}
+
+TEST_F(PanelsRules, WhatTheNextSketchActsOnIsTakenBack) {
+  EXPECT_FALSE(panels_.Shows("Status/Act on anything again"));
+  panels_.view.session = Chosen(WholeHouse(), ".Glass");
+  EXPECT_TRUE(panels_.Says("What you draw acts on every Glass."));
+  EXPECT_THAT(panels_.Tap("Status/Act on anything again"), ElementsAre(Sent(SetQuery{"none"})));
+}
+
 }  // namespace
 }  // namespace parti::app::tests

@@ -58,6 +58,17 @@ const StateCase kStates[] = {
        p->view.session = HouseWithTaps(2);
        p->view.tapped_px = p->view.size_px / 2.0;
      }},
+    {"QueryChosen",
+     [](PanelDriver* p) {
+       p->view.session = Chosen(HouseWithTaps(2), ".Glass");
+       p->view.tapped_px = p->view.size_px / 2.0;
+     }},
+    {"QueriesForANode",
+     [](PanelDriver* p) {
+       p->view.session = Taken(HouseWithTaps(2), {0, 0, 0, 0});
+       p->view.tapped_px = p->view.size_px / 2.0;
+       p->Tap("Menu/Rules");
+     }},
     {"Element", [](PanelDriver* p) { HoldElement(&p->view); }},
     {"Trouble", [](PanelDriver* p) { p->view.session = InTrouble(WholeHouse()); }},
     {"Drafts",

@@ -167,6 +167,67 @@ TEST_F(SessionViewTest, ATapLetsGoOfTheNodeJustMade) {
   EXPECT_THAT(state().in_hand, IsEmpty()) << "the query is for what comes next";
 }
 
+TEST_F(SessionViewTest, LettingGoOfTheShapesTakesBackWhatWasChosenForThem) {
+  BuildTower();
+  for (const char* line : {"select none", "select 0/1/1"}) {
+    Do("select 0/1/1");
+    Do("query 1");
+    ASSERT_TRUE(state().sketch.query);
+    Do(line);
+    EXPECT_THAT(state().selection.shapes, IsEmpty());
+    EXPECT_FALSE(state().sketch.query) << line;
+    Do("undo");
+    EXPECT_TRUE(state().sketch.query) << "one step for both";
+    Do("clear");
+    Do("select none");
+  }
+}
+
+TEST_F(SessionViewTest, LinesAreReadAnewWhenTheirQueryIsTakenBack) {
+  BuildTower();
+  Do("select 0/1/1");
+  Do("query .Roof");
+  ASSERT_FALSE(session.AddStroke(Line({10, 3.8, 14}, {10, 7.6, 14})) &&
+               !state().sketch.suggestions.empty())
+      << "a line on a wall means nothing on the roof";
+  Do("clear");
+  Do("select 0/1/1");
+  Do("query .Floor");
+  Draw({10, 3.8, 14}, {10, 7.6, 14});
+  Do("select none");
+  EXPECT_THAT(state().sketch.strokes, SizeIs(1));
+  EXPECT_THAT(state().sketch.suggestions, Not(IsEmpty()));
+}
+
+TEST_F(SessionViewTest, QueryNoneIsTheSketchsWhateverIsInHand) {
+  BuildTower();
+  Do("query .Floor");
+  Do("take 0/2");
+  Do("query none");
+  EXPECT_FALSE(state().sketch.query);
+  EXPECT_THAT(Rules(), HasSubstr(".Facade --> split"));
+}
+
+TEST_F(SessionViewTest, WhatChangesNothingIsNoStepAndKeepsWhatCanBeRedone) {
+  BuildTower();
+  Do("node .Floor --> color(\"#888888\")");
+  Do("take 0/2");
+  Do("keep-view a");
+  Do("undo");
+  const Timeline::Span span = session.timeline().span();
+  const size_t history = session.history().size();
+  for (const char* line : {"select none", "clear", "query none", "switch 0/2 on"}) {
+    Do(line);
+    EXPECT_EQ(session.timeline().span(), span) << line;
+  }
+  EXPECT_EQ(session.history().size(), history + 4) << "done all the same, and replayed";
+  Do("redo");
+  EXPECT_THAT(state().views, SizeIs(1));
+  Do("undo");
+  Do("select 0/1/1");
+  EXPECT_EQ(session.timeline().span().last, span.now + 1) << "a real change is one";
+}
+
 TEST_F(SessionViewTest, QueriesThatAreNotOfferedOrSelectNothingVisibleAreRefused) {
   BuildTower();
   EXPECT_THAT(Refused("query 1").hint, HasSubstr("tap shapes"));

@@ -27,8 +27,32 @@ TEST(ShortcutsTest, UndoAndRedoTellShiftApart) {
 TEST(ShortcutsTest, DeleteNeedsANodeInHand) {
   Shortcuts shortcuts;
   EXPECT_FALSE(shortcuts.Feed(Press(KEY_DELETE), {}));
-  EXPECT_EQ(shortcuts.Feed(Press(KEY_DELETE), {0, 2}),
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_DELETE), {.node = {0, 2}}),
             Shortcut(PanelCommand(Command(Delete{{0, 2}}))));
+}
+
+TEST(ShortcutsTest, EscapeAndBackspaceNeedSomethingToLetGoOfOrToClear) {
+  Shortcuts shortcuts;
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_ESC), {.sketch = true}));
+  EXPECT_FALSE(shortcuts.Feed(Press(KEY_BACKSPACE), {.selection = true}));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_ESC), {.selection = true}),
+            Shortcut(PanelCommand(Command(Select{}))));
+  EXPECT_EQ(shortcuts.Feed(Press(KEY_BACKSPACE), {.sketch = true}),
+            Shortcut(PanelCommand(Command(ClearSketch{}))));
+}
+
+TEST(ShortcutsTest, OnlyKeysThatUndoRedoAndLookRepeat) {
+  Shortcuts shortcuts;
+  const ActedOn all = {.node = {0, 2}, .selection = true, .sketch = true};
+  for (const uint32_t code : {KEY_ESC, KEY_BACKSPACE, KEY_DELETE, KEY_ENTER, KEY_1, KEY_D}) {
+    KeyEvent held = Press(code);
+    EXPECT_TRUE(shortcuts.Feed(held, all)) << code;
+    held.repeat = true;
+    EXPECT_FALSE(shortcuts.Feed(held, all)) << code;
+  }
+  KeyEvent nearer = Press(KEY_PAGEUP);
+  nearer.repeat = true;
+  EXPECT_TRUE(shortcuts.Feed(nearer, {}));
 }
 
 TEST(ShortcutsTest, ReleasesAndUnknownKeysMeanNothing) {
