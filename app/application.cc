@@ -145,8 +145,8 @@ bool Application::Settled() const {
   const DocumentStatus& document = snapshot_->document;
   const bool saving =
       !document.read_only && !document.trouble && snapshot_->acknowledged < snapshot_->executed;
-  return snapshot_->executed >= posted_ && !snapshot_->busy && !saving && !picture_->busy() &&
-         !canvas_->NeedsDraw() && !sync_at_s_ &&
+  return snapshot_->executed >= posted_ && !snapshot_->busy && snapshot_->doing.empty() &&
+         !saving && !picture_->busy() && !canvas_->NeedsDraw() && !sync_at_s_ &&
          !((panels_stale_ || word_stale_) && !ink_->drawing()) && !drag_begun_ &&
          !aside_.next_s() && !display_->HasNews() && fed_.empty() && !folders_.busy() &&
          !trials_.busy() && !queries_.busy() && !placing_.busy();

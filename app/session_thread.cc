@@ -74,6 +74,7 @@ class SessionThread::Impl {
     // What is posted belongs to the document that is opened first, and waits for it.
     document_->Posted(0, std::make_shared<const SessionRequest>(DocumentRequest{}));
     PublishState();
+    if (!options_.path.empty()) SetDoing(Doing(FirstOpening()));
     thread_ = std::thread([this] { Work(); });
   }
   ~Impl() { Stop(); }
@@ -131,10 +132,12 @@ class SessionThread::Impl {
     bool moot = false;  // the next one makes it so
   };
 
+  DocumentRequest FirstOpening() const { return {DocumentRequest::Kind::kOpen, options_.path}; }
+
   void Work() {
     StartAnew(true);
     if (!options_.path.empty()) {
-      const auto opened = Open({DocumentRequest::Kind::kOpen, options_.path}, 0);
+      const auto opened = Open(FirstOpening(), 0);
       if (!opened) Note(0, opened.error());
     }
     document_->Executed({});
@@ -190,9 +193,7 @@ class SessionThread::Impl {
     }
     const auto& about = std::get<DocumentRequest>(*request.what);
     SetDoing(Doing(about));
-    auto done = DoDocument(about, request.number);
-    SetDoing("");
-    return done;
+    return DoDocument(about, request.number);
   }
 
   Result<void> DoDocument(const DocumentRequest& request, uint64_t number) {
@@ -300,7 +301,7 @@ class SessionThread::Impl {
   void SetDoing(const std::string& doing) {
     const std::lock_guard lock(publish_mutex_);
     snapshot_.doing = doing;
-    if (!doing.empty()) Publish();
+    if (!doing.empty()) Publish();  // else with the state that came of it
   }
 
   void PublishState(uint64_t executed = 0) {
@@ -312,6 +313,7 @@ class SessionThread::Impl {
     snapshot_.can_redo = span.now < span.last;
     snapshot_.executed = std::max(snapshot_.executed, executed);
     snapshot_.busy = false;
+    snapshot_.doing.clear();
     begun_.reset();
     Publish();
   }
@@ -349,8 +351,8 @@ class SessionThread::Impl {
   std::deque<Request> waiting_;
   uint64_t last_number_ = 0;
   bool stopping_ = false;
-  bool leaving_ = false;      // what waits stays for the next opening
-  bool must_finish_ = false;  // what the thread is at can't be left
+  bool leaving_ = false;     // what waits stays for the next opening
+  bool must_finish_ = true;  // what the thread is at can't be left; at first the opening
   bool ended_ = false;
   std::condition_variable at_ease_;  // one of these two has changed
 

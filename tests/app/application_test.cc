@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "app/document.h"
 #include "app/play.h"
 #include "app/replay.h"
 #include "base/text_file.h"
@@ -429,6 +430,25 @@ TEST_F(ApplicationTest, TheEraserTakesStrokesAway) {
   application_->Do(PointerMode::kErase);
   Line({500, 350}, {800, 360});
   EXPECT_EQ(state().sketch.strokes.size() + state().sketch.unread.size(), 0u);
+}
+
+TEST_F(ApplicationTest, ItIsNotAtRestWhileTheDocumentIsBeingOpened) {
+  SessionThreadOptions options;
+  options.folders = {folder_ + "/data", folder_ + "/state"};
+  options.path = folder_ + "/large.parti";
+  Document large = DocumentOf(Session());
+  large.posted = {{"lot rect(450,450)"},
+                  {"node .Lot --> split(x) { ~1: Row }*"},
+                  {"node .Row --> split(y) { ~1: Tile }*"},
+                  {"undo"}};  // slow to open, and soon drawn
+  ASSERT_TRUE(SaveDocument(large, options.path));
+  application_.reset();
+  session_ = std::make_unique<SessionThread>(options);
+  auto application = Application::Create(display_.get(), session_.get(), {});
+  ASSERT_TRUE(application) << FormatError(application.error());
+  application_ = std::move(*application);
+  Settle();
+  EXPECT_THAT(state().model.lots(), testing::SizeIs(1));
 }
 
 TEST_F(ApplicationTest, ClosingIsSaidAndLosesNothing) {

@@ -46,6 +46,16 @@ class SessionThreadTest : public ::testing::Test {
     }
   }
 
+  /// A document that takes its time to be opened, at a path.
+  static void WriteLarge(const std::string& path) {
+    Session session;
+    for (const char* line : {"lot rect(120,120)", "node .Lot --> split(x) { ~1: Row }*",
+                             "node .Row --> split(y) { ~1: Tile }*"}) {
+      ASSERT_TRUE(session.Execute(Line(line))) << line;
+    }
+    ASSERT_TRUE(SaveDocument(DocumentOf(session), path));
+  }
+
   std::string folder_;
   SessionThreadOptions options_;
 };
@@ -138,6 +148,30 @@ TEST_F(SessionThreadTest, WhatIsNotExecutedInTimeIsDoneAtTheNextOpening) {
   SessionThread again(options_);
   const auto now = Settled(&again, again.Post(Line("select none")));
   EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(2000)"));
+}
+
+TEST_F(SessionThreadTest, OpeningADocumentAtTheStartIsSaidUntilItIsThere) {
+  options_.path = folder_ + "/large.parti";
+  WriteLarge(options_.path);
+  SessionThread thread(options_);
+  auto now = thread.Newest();
+  while (now->state->model.lots().empty()) {
+    EXPECT_EQ(now->doing, "opening " + options_.path);
+    std::this_thread::yield();
+    now = thread.Newest();
+  }
+  EXPECT_EQ(now->doing, "");
+}
+
+TEST_F(SessionThreadTest, WhatIsPostedWhileTheDocumentIsOpenedIsKeptInItHoweverShortTheTime) {
+  options_.path = folder_ + "/large.parti";
+  WriteLarge(options_.path);
+  SessionThread thread(options_);
+  thread.Post(Line("node .Tile --> extrude(3) Mass"));
+  static_cast<void>(thread.StopWithin(std::chrono::milliseconds(0)));
+  const auto kept = OpenDocument(options_.path);  // as the next process would find it
+  ASSERT_TRUE(kept) << FormatError(kept.error());
+  EXPECT_EQ(kept->history.size() + kept->posted.size(), 4u);
 }
 
 TEST_F(SessionThreadTest, AnExportIsDoneHoweverShortTheTime) {
