@@ -45,6 +45,9 @@ Result<void> WriteAll(Database* database, const Document& document) {
   }
   if (done) done = WriteStates(database, document);
   if (done) done = WritePosted(database, document.posted);
+  for (size_t i = 0; done && i < document.laid_aside.size(); ++i) {
+    done = WriteLaidAside(database, document.laid_aside[i]);
+  }
   if (done) done = database->Execute("COMMIT");
   return done;
 }

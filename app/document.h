@@ -20,6 +20,9 @@ struct Document {
   std::vector<SessionRecord> states;
   StateSpan span;                     ///< its `now` is the state that the person sees
   std::vector<PostedRequest> posted;  ///< to be executed first, in order
+  /// What ended the program each time, for a report: not executed again. Those that were not laid
+  /// aside before have been `begun`, the others not.
+  std::vector<PostedRequest> laid_aside;
 };
 
 /// The state that the person sees.

@@ -41,17 +41,22 @@ DocumentFile::~DocumentFile() {
 
 Result<Document> DocumentFile::Read() { return ReadTables(&database_, path_); }
 
-Result<void> DocumentFile::BeginLeftOver(const std::vector<PostedRequest>& posted) {
+Result<void> DocumentFile::TakeUpLeftOver(const std::vector<PostedRequest>& posted) {
   return InTransaction([&]() -> Result<void> {
     auto done = database_.Execute(
         "INSERT INTO laid_aside(command, samples)"
         "  SELECT command, samples FROM posted WHERE begun >= 2;"
         "DELETE FROM posted");
     if (done) done = WritePosted(&database_, posted);
-    if (done) done = database_.Execute("UPDATE posted SET begun = begun + 1");
     has_kept_ = true;
     return done;
   });
+}
+
+Result<void> DocumentFile::BeginLeftOver(int64_t number) {
+  auto count = database_.Prepare("UPDATE posted SET begun = begun + 1 WHERE number = ?");
+  if (!count) return Fail(count);
+  return count->Bind(1, number).Run();
 }
 
 Result<void> DocumentFile::InTransaction(const std::function<Result<void>()>& work) {

@@ -44,10 +44,12 @@ class DocumentFile {
   /// Everything in it. errors  as ReadTables.
   Result<Document> Read();
 
-  /// Says that the requests which a killed program left over, `Document::posted`, are begun now:
-  /// one that ends the program again and again is laid aside the third time. Their numbers end
-  /// with 0. errors  as Apply.
-  Result<void> BeginLeftOver(const std::vector<PostedRequest>& posted);
+  /// Readies the requests that a killed program left over, `Document::posted`: their numbers end
+  /// with 0 from now on. What ended the program twice is laid aside. errors  as Apply.
+  Result<void> TakeUpLeftOver(const std::vector<PostedRequest>& posted);
+
+  /// Counts that one of them is set about now, before it is. errors  as Apply.
+  Result<void> BeginLeftOver(int64_t number);
 
   /// Keeps requests that are not executed yet, so that they outlive the program. errors  as Apply.
   Result<void> Keep(const std::vector<KeptRequest>& requests);

@@ -29,6 +29,13 @@ std::string Whole(const std::string& path) {
   return failed ? path : whole.lexically_normal().string();
 }
 
+/// Whether a killed program left requests over, to be executed or laid aside.
+bool HasLeftOver(const Document& document) {
+  return !document.posted.empty() ||
+         std::any_of(document.laid_aside.begin(), document.laid_aside.end(),
+                     [](const PostedRequest& request) { return request.begun > 0; });
+}
+
 }  // namespace
 
 void ApplyTo(const DocumentChange& change, Document* document) {
@@ -78,8 +85,8 @@ Result<Document> DocumentKeeper::Open(const std::string& path, bool give_up) {
   auto file = DocumentFile::Open(path);
   auto document = file ? file->Read() : OpenDocument(path);
   if (!document) return document;
-  if (file && !document->posted.empty()) {
-    if (const auto begun = file->BeginLeftOver(document->posted); !begun) file = Fail(begun);
+  if (file && HasLeftOver(*document)) {
+    if (const auto taken = file->TakeUpLeftOver(document->posted); !taken) file = Fail(taken);
   }
   GoOnIn(path, std::move(file), *document);
   return document;
@@ -148,6 +155,10 @@ Result<void> DocumentKeeper::MakeDraft() {
   file_ = std::move(*file);
   status_.path = *path;
   return {};
+}
+
+void DocumentKeeper::BeginLeftOver(int64_t number) {
+  if (file_ && unwritten_.empty()) Note(file_->BeginLeftOver(number));
 }
 
 void DocumentKeeper::Keep(const std::vector<KeptRequest>& requests) {

@@ -43,6 +43,10 @@ class DocumentKeeper {
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
   Document Everything(Document in_memory);
 
+  /// Counts that a request which a kill left over, numbered up to 0, is set about now, before it
+  /// is.
+  void BeginLeftOver(int64_t number);
+
   /// Keeps requests that are not executed yet; they are not in `status().unwritten`.
   void Keep(const std::vector<KeptRequest>& requests);
 

@@ -49,10 +49,10 @@ Result<void> ReadStroke(const Statement& row, Document* document) {
   return {};
 }
 
-Result<void> ReadPosted(const Statement& row, Document* document) {
+Result<void> ReadPosted(const Statement& row, std::vector<PostedRequest>* requests) {
   auto stroke = StrokeFromBytes(row.Text(1));
   if (!stroke) return Fail(stroke);
-  document->posted.push_back({row.Text(0), std::move(*stroke), static_cast<int>(row.Integer(2))});
+  requests->push_back({row.Text(0), std::move(*stroke), static_cast<int>(row.Integer(2))});
   return {};
 }
 
@@ -109,7 +109,11 @@ Result<Document> ReadAll(Database* database, const std::string& path) {
               [&](const Statement& row) { return ReadPart(row, texts, &states); });
   // A request that was begun twice and never done ends the program: it is left alone.
   reader.Read("SELECT command, samples, begun FROM posted WHERE begun < 2 ORDER BY number",
-              [&](const Statement& row) { return ReadPosted(row, &document); });
+              [&](const Statement& row) { return ReadPosted(row, &document.posted); });
+  reader.Read("SELECT command, samples, 0 FROM laid_aside ORDER BY id",
+              [&](const Statement& row) { return ReadPosted(row, &document.laid_aside); });
+  reader.Read("SELECT command, samples, begun FROM posted WHERE begun >= 2 ORDER BY number",
+              [&](const Statement& row) { return ReadPosted(row, &document.laid_aside); });
   if (!reader.result) return Fail(reader.result);
   if (const auto read = ReadStates(states, &document); !read) {
     return tl::unexpected<Error>(Damaged(path, read.error().message));

@@ -125,6 +125,12 @@ Result<void> WritePosted(Database* database, const std::vector<PostedRequest>& r
   return {};
 }
 
+Result<void> WriteLaidAside(Database* database, const PostedRequest& request) {
+  auto insert = database->Prepare("INSERT INTO laid_aside(command, samples) VALUES(?,?)");
+  if (!insert) return Fail(insert);
+  return insert->Bind(1, request.command).BindBlob(2, BytesOf(request.stroke)).Run();
+}
+
 Result<void> WriteState(Database* database, const StateSpan& span, const StateParts& parts) {
   const auto gone = DropParts(database, span);
   if (!gone) return Fail(gone);

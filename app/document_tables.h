@@ -41,6 +41,9 @@ Result<void> WritePosted(Database* database, int64_t number, const PostedRequest
 /// Numbers them so that the last one's is 0.
 Result<void> WritePosted(Database* database, const std::vector<PostedRequest>& requests);
 
+/// A request that is not to be executed again.
+Result<void> WriteLaidAside(Database* database, const PostedRequest& request);
+
 /// Which states there are, and which one is the present, by their numbers.
 using StateSpan = Timeline::Span;
 

@@ -62,6 +62,18 @@ std::string Doing(const DocumentRequest& request) {
   }
 }
 
+/// That requests which a kill left over are not executed any more.
+std::optional<Error> LaidAside(const Document& document, const std::string& path) {
+  const auto count = std::count_if(document.laid_aside.begin(), document.laid_aside.end(),
+                                   [](const PostedRequest& request) { return request.begun > 0; });
+  if (count == 0) return std::nullopt;
+  return Error{
+      ErrorCode::kLimitReached,
+      fmt::format("what ended the program twice was left out: {} of what was drawn last", count),
+      fmt::format("draw on without it, and report it with a copy of {}: it is kept in there",
+                  path)};
+}
+
 }  // namespace
 
 class SessionThread::Impl {
@@ -245,6 +257,7 @@ class SessionThread::Impl {
     }
     session_ = std::move(*session);
     DoLeftOver(document->posted, number);
+    if (const auto lost = LaidAside(*document, request.path)) Note(number, *lost);
     return {};
   }
 
@@ -254,9 +267,11 @@ class SessionThread::Impl {
     Set(&must_finish_, true);  // what ends with the program too often is laid aside
     auto number = -static_cast<int64_t>(posted.size());
     for (const PostedRequest& request : posted) {
+      ++number;
+      document_->Run([&](DocumentKeeper& keeper) { keeper.BeginLeftOver(number); });
       const auto done = DoAgain(request);
       if (!done) Note(opening, done.error());
-      document_->Executed(ChangeBy(++number, done.has_value()));
+      document_->Executed(ChangeBy(number, done.has_value()));
     }
   }
 

@@ -358,7 +358,7 @@ TEST_F(DocumentKeeperTest, MemoryDoesNotGrowPastTheUndoLimitWhileTheDiskIsFull) 
   ExpectWhole(path_, 61);
 }
 
-TEST_F(DocumentKeeperTest, RequestsLeftOverByAKillAreFoundAndLaidAsideTheThirdTime) {
+TEST_F(DocumentKeeperTest, OfWhatAKillLeftOverOnlyWhatEndsTheProgramIsLaidAsideTheThirdTime) {
   Begin();
   keeper_.Keep({{7, {kNode}}, {9, {"", StrokeFrom("1,2 3,4")}}});
   const std::string killed = folder_ + "/killed.parti";
@@ -371,9 +371,29 @@ TEST_F(DocumentKeeperTest, RequestsLeftOverByAKillAreFoundAndLaidAsideTheThirdTi
     ASSERT_THAT(document->posted, SizeIs(2)) << time;
     EXPECT_EQ(document->posted[0].command, kNode);
     EXPECT_EQ(document->posted[1].stroke, StrokeFrom("1,2 3,4"));
+    EXPECT_THAT(document->laid_aside, IsEmpty());
+    next.BeginLeftOver(-1);  // and it is killed
   }
-  DocumentKeeper last(folders_);
-  EXPECT_THAT(last.Open(killed, false)->posted, IsEmpty());
+  DocumentKeeper third(folders_);
+  const auto document = third.Open(killed, false);
+  ASSERT_TRUE(document);
+  ASSERT_THAT(document->posted, SizeIs(1));
+  EXPECT_EQ(document->posted[0].stroke, StrokeFrom("1,2 3,4"));
+  ASSERT_THAT(document->laid_aside, SizeIs(1));
+  EXPECT_EQ(document->laid_aside[0].command, kNode);
+  third.BeginLeftOver(0);
+  third.Apply({{0}});
+  third.Keep({{1, {"take none"}}});
+  third.Apply({{1}});
+  ASSERT_TRUE(third.SaveAs(folder_ + "/other.parti", {}));
+  for (const std::string& path : {killed, folder_ + "/other.parti"}) {
+    const auto after = OpenDocument(path);
+    ASSERT_TRUE(after) << FormatError(after.error());
+    EXPECT_THAT(after->posted, IsEmpty()) << path;
+    ASSERT_THAT(after->laid_aside, SizeIs(1)) << path;
+    EXPECT_EQ(after->laid_aside[0].command, kNode);
+    EXPECT_EQ(after->laid_aside[0].begun, 0) << "it was said once";
+  }
 }
 
 }  // namespace
