@@ -23,6 +23,7 @@ struct DocumentChange {
   std::string command = {};                        ///< for the history; "" with a stroke or none
   std::optional<SessionRecord> state = {};         ///< nothing: it stayed as it was
   StateSpan span = {};  ///< with a state: which ones are left; it is the present one
+  bool looks = false;   ///< nothing was done but look (IsLooking): nobody misses it
 
   bool IsEmpty() const { return !stroke && command.empty() && !state; }
 };

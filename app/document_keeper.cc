@@ -143,6 +143,28 @@ Result<void> DocumentKeeper::SaveAs(const std::string& path, Document in_memory,
   return {};
 }
 
+Result<void> DocumentKeeper::Rescue(Document in_memory, const std::vector<KeptRequest>& waiting) {
+  TryAgain();
+  std::vector<KeptRequest> left = waiting;
+  const int64_t done = unwritten_.empty() ? acknowledged_ : unwritten_.back().number;
+  std::erase_if(left, [&](const KeptRequest& request) { return request.number <= done; });
+  if (!status_.trouble || (status_.unwritten == 0 && left.empty())) return {};
+  const Document everything = Everything(std::move(in_memory));
+  if (everything.states.empty()) return tl::unexpected<Error>(Vanished(status_.path));
+  const auto path = NewDraftPath(folders_.data);
+  if (!path) return Fail(path);
+  const std::string from = status_.path;
+  if (auto written = WriteInto(*path, everything); !written) {
+    std::remove(path->c_str());
+    return written;
+  }
+  status_.named = false;
+  status_.rescued_from = from;
+  Acknowledge(done);
+  Keep(left);
+  return {};
+}
+
 Result<void> DocumentKeeper::MakeDraft() {
   const auto path = NewDraftPath(folders_.data);
   if (!path) return Fail(path);
@@ -194,7 +216,7 @@ void DocumentKeeper::Acknowledge(int64_t number) {
 void DocumentKeeper::CountUnwritten() {
   status_.unwritten = static_cast<uint64_t>(
       std::count_if(unwritten_.begin(), unwritten_.end(),
-                    [](const DocumentChange& change) { return !change.IsEmpty(); }));
+                    [](const DocumentChange& c) { return !c.IsEmpty() && !c.looks; }));
 }
 
 /// States that undo has forgotten since then need not wait for the file.

@@ -40,6 +40,13 @@ class DocumentKeeper {
   /// errors  those of SaveDocument;  kFile  another file is there, and `replace` is false.
   Result<void> SaveAs(const std::string& path, Document in_memory, bool replace = false);
 
+  /// For who has to leave: where strokes or commands can't be written where they belong, makes a
+  /// draft of everything and goes on there; status() says so. Else it does nothing.
+  /// in_memory  as for SaveAs; without states where the session can't be asked.
+  /// waiting    requests that stay for the next opening; what has been executed of them is left
+  /// out. errors     kFile  a draft was needed and can't be made.
+  Result<void> Rescue(Document in_memory, const std::vector<KeptRequest>& waiting);
+
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
   Document Everything(Document in_memory);
 

@@ -13,13 +13,12 @@ constexpr auto kStillThere = std::chrono::milliseconds(250);
 // Changes that one transaction takes at most: the others need not wait for a long one.
 constexpr size_t kMostChanges = 64;
 
-/// What is kept of a stroke or a command before it is executed.
+}  // namespace
+
 PostedRequest Kept(const SessionRequest& request) {
   if (const auto* stroke = std::get_if<Stroke>(&request)) return {"", *stroke};
   return {TextOf(std::get<Command>(request))};
 }
-
-}  // namespace
 
 DocumentThread::DocumentThread(UserFolders folders, News news)
     : news_(std::move(news)), keeper_(std::move(folders)), thread_([this] { Work(); }) {}

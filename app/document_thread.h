@@ -16,6 +16,9 @@
 
 namespace parti::app {
 
+/// What is kept of a stroke or a command before it is executed.
+PostedRequest Kept(const SessionRequest& request);
+
 /// Changes that wait while one commit runs become one transaction.
 class DocumentThread {
  public:

@@ -48,11 +48,14 @@ struct DocumentStatus {
   /// Why strokes and commands don't reach the file, with the remedy. All of them are in memory;
   /// saving as something else writes them. Absent: all is well.
   std::optional<Error> trouble = {};
-  uint64_t unwritten = 0;  ///< strokes and commands that are in memory only
+  uint64_t unwritten = 0;  ///< strokes and commands that are in memory only; those that look aside
+  /// The file that could not be written when the program ended: `path` is a draft of everything.
+  std::string rescued_from = {};
 
   bool operator==(const DocumentStatus& o) const {
     return path == o.path && named == o.named && read_only == o.read_only &&
-           unwritten == o.unwritten && trouble.has_value() == o.trouble.has_value() &&
+           unwritten == o.unwritten && rescued_from == o.rescued_from &&
+           trouble.has_value() == o.trouble.has_value() &&
            (!trouble || trouble->message == o.trouble->message);
   }
 };

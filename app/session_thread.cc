@@ -128,7 +128,9 @@ class SessionThread::Impl {
       leaving_ = !at_ease_.wait_for(lock, most, [this] { return ended_; });
       at_ease_.wait(lock, [this] { return ended_ || (!must_finish_ && !DocumentsWait()); });
       if (!ended_) {
+        const std::vector<KeptRequest> left = Left();
         lock.unlock();
+        Rescue({}, left);
         document_->Flush();
         return false;
       }
@@ -163,11 +165,39 @@ class SessionThread::Impl {
       } else if (!request->moot && !IsLook(*request->what)) {
         NoteMended(request->number);
       }
-      document_->Executed(ChangeBy(static_cast<int64_t>(request->number), done.has_value()));
+      DocumentChange change = ChangeBy(static_cast<int64_t>(request->number), done.has_value());
+      change.looks = IsLook(*request->what);
+      document_->Executed(std::move(change));
       PublishState(request->number);
       Set(&must_finish_, false);
     }
+    Rescue(DocumentOf(session_), LeftNow());
     Set(&ended_, true);
+  }
+
+  /// What can't be written where it belongs is kept elsewhere before the program ends.
+  void Rescue(const Document& in_memory, const std::vector<KeptRequest>& left) {
+    // Where that fails, too, the document's own trouble is what there is to tell.
+    static_cast<void>(
+        document_->Run([&](DocumentKeeper& keeper) { return keeper.Rescue(in_memory, left); }));
+  }
+
+  std::vector<KeptRequest> LeftNow() {
+    const std::lock_guard lock(mutex_);
+    return Left();
+  }
+
+  /// What is not executed yet, and more than looks; mutex_ is held.
+  std::vector<KeptRequest> Left() const {
+    std::vector<KeptRequest> left;
+    const auto add = [&](const Request& request) {
+      if (!request.what || IsLook(*request.what)) return;
+      if (std::holds_alternative<DocumentRequest>(*request.what)) return;
+      left.push_back({static_cast<int64_t>(request.number), Kept(*request.what)});
+    };
+    add(current_);
+    for (const Request& request : waiting_) add(request);
+    return left;
   }
 
   void Set(bool* flag, bool value) {
@@ -187,11 +217,13 @@ class SessionThread::Impl {
   std::optional<Request> Next() {
     std::unique_lock lock(mutex_);
     posted_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
+    current_ = {};  // executed, and given to the document
     if (waiting_.empty() || (leaving_ && !DocumentsWait())) return std::nullopt;
     Request request = std::move(waiting_.front());
     waiting_.pop_front();
     request.moot = !waiting_.empty() && IsMoot(*request.what, *waiting_.front().what);
     must_finish_ = std::holds_alternative<DocumentRequest>(*request.what);
+    current_ = request;
     return request;
   }
 
@@ -364,6 +396,7 @@ class SessionThread::Impl {
   std::mutex mutex_;  // held to move a value, never longer; guards:
   std::condition_variable posted_;
   std::deque<Request> waiting_;
+  Request current_;  // is being executed
   uint64_t last_number_ = 0;
   bool stopping_ = false;
   bool leaving_ = false;     // what waits stays for the next opening

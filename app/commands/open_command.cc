@@ -207,6 +207,17 @@ int CheckSurplus(const std::vector<std::string>& surplus) {
   return kWrongUsage;
 }
 
+/// What of the document is not where it belongs, now that the program ends.
+void ReportUnwritten(const DocumentStatus& document) {
+  if (!document.rescued_from.empty()) {
+    Report({ErrorCode::kFile,
+            fmt::format("{} could not be written: all of it is kept as the draft {}",
+                        document.rescued_from, document.path),
+            "open the draft and save it under a name"});
+  }
+  if (document.trouble && document.unwritten > 0) Report(*document.trouble);
+}
+
 int Open(const Options& options, const std::vector<std::string>& commands,
          const std::vector<std::string>& surplus) {
   if (const int status = CheckFile(options.file, commands); status != kDone) return status;
@@ -227,7 +238,7 @@ int Open(const Options& options, const std::vector<std::string>& commands,
   const bool stopped = session.StopWithin(kPatience);
   display->reset();
   const auto last = session.Newest();
-  if (last->document.trouble && last->document.unwritten > 0) Report(*last->document.trouble);
+  ReportUnwritten(last->document);
   const int status = ran ? kDone : Report(ran.error());
   if (stopped) return status;
   std::fflush(nullptr);

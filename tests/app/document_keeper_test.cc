@@ -10,6 +10,7 @@
 
 #include "app/document_drafts.h"
 #include "app/recent_files.h"
+#include "base/text_file.h"
 #include "tests/app/faulty_disk.h"
 #include "tests/support/program.h"
 
@@ -333,6 +334,48 @@ TEST_F(DocumentKeeperTest, WhatIsNotOnTheDiskIsNotLeftBehindWithoutAWord) {
   EXPECT_FALSE(keeper_.Open(path_ + "x", false));
   EXPECT_EQ(keeper_.status().unwritten, 1u);
   EXPECT_TRUE(keeper_.New(DocumentOf(Session()), true));
+}
+
+TEST_F(DocumentKeeperTest, WhatCannotBeWrittenIsRescuedAsADraft) {
+  Begin();
+  fs::remove(path_);
+  Do(kNode);
+  ASSERT_TRUE(keeper_.Rescue(DocumentOf(session_), {{2, {kNode}}, {3, {"set distance 7"}}}));
+  EXPECT_EQ(keeper_.status().rescued_from, path_);
+  EXPECT_FALSE(keeper_.status().named);
+  EXPECT_EQ(keeper_.status().unwritten, 0u);
+  EXPECT_THAT(DraftsIn(folders_.data), ElementsAre(keeper_.status().path));
+  ExpectWhole(keeper_.status().path, 2);
+  const auto kept = OpenDocument(keeper_.status().path);
+  ASSERT_THAT(kept->posted, SizeIs(1)) << "the second is done";
+  EXPECT_EQ(kept->posted[0].command, "set distance 7");
+  number_ = 2;
+  Do("set distance 7");  // after all: the process has not ended yet
+  EXPECT_THAT(OpenDocument(keeper_.status().path)->posted, IsEmpty());
+}
+
+TEST_F(DocumentKeeperTest, WhatIsWrittenNeedsNoRescue) {
+  FaultyDisk disk;
+  Begin();
+  disk.Break(FaultyDisk::Fault::kFull);
+  Do(kNode);
+  disk.Repair();
+  ASSERT_TRUE(keeper_.Rescue(DocumentOf(session_), {}));
+  EXPECT_EQ(keeper_.status(), (DocumentStatus{path_, true}));
+  ExpectWhole(path_, 2);
+  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
+}
+
+TEST_F(DocumentKeeperTest, WhereNothingIsKnownNothingIsRescued) {
+  Begin();
+  Do(kNode);
+  ASSERT_TRUE(WriteFile(path_, "no database"));
+  Do(kNode);
+  if (keeper_.status().trouble) {
+    EXPECT_FALSE(keeper_.Rescue({}, {}));
+    EXPECT_EQ(keeper_.status().path, path_);
+  }
+  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
 }
 
 TEST_F(DocumentKeeperTest, AFailedSaveAsChangesNothing) {

@@ -12,6 +12,7 @@
 
 #include "app/document.h"
 #include "app/document_drafts.h"
+#include "app/document_lock.h"
 #include "base/text_file.h"
 #include "input/drawing.h"
 #include "tests/support/program.h"
@@ -185,6 +186,59 @@ TEST_F(SessionThreadTest, AnExportIsDoneHoweverShortTheTime) {
   const auto written = ReadFile(path);
   ASSERT_TRUE(written) << FormatError(written.error());
   EXPECT_THAT(*written, HasSubstr("12"));
+}
+
+/// A document that another process seems to have open.
+class ReadOnlyTest : public SessionThreadTest {
+ protected:
+  void SetUp() override {
+    options_.path = folder_ + "/house.parti";
+    Session session;
+    ASSERT_TRUE(session.Execute(Line("lot rect(300,300)")));
+    ASSERT_TRUE(session.Execute(Line("node .Lot --> split(x) { ~1: Row }*")));
+    ASSERT_TRUE(SaveDocument(DocumentOf(session), options_.path));
+    auto lock = DocumentLock::Take(options_.path);
+    ASSERT_TRUE(lock) << FormatError(lock.error());
+    lock_ = std::move(*lock);
+  }
+  /// What was drawn and could not be written, as the next start finds it.
+  Document Rescued() const {
+    const auto drafts = DraftsIn(options_.folders.data);
+    EXPECT_THAT(drafts, SizeIs(1));
+    if (drafts.empty()) return {};
+    auto document = OpenDocument(drafts[0]);
+    EXPECT_TRUE(document) << FormatError(document.error());
+    return document ? *document : Document();
+  }
+
+  std::optional<DocumentLock> lock_;
+};
+
+TEST_F(ReadOnlyTest, WhatCannotBeWrittenIsADraftWhenTheProgramEnds) {
+  SessionThread thread(options_);
+  EXPECT_TRUE(
+      Settled(&thread, thread.Post(Line("node .Row --> color(\"blue\")")))->document.read_only);
+  thread.Stop();
+  EXPECT_THAT(Rescued().history, SizeIs(3));
+  EXPECT_EQ(thread.Newest()->document.rescued_from, options_.path);
+  EXPECT_THAT(OpenDocument(options_.path)->history, SizeIs(2));
+}
+
+TEST_F(ReadOnlyTest, WhatIsNotExecutedInTimeIsInTheDraftToo) {
+  SessionThread thread(options_);
+  thread.Post(Line("node .Row --> split(y) { ~1: Tile }*"));
+  thread.Post(Line("node .Tile --> color(\"blue\")"));
+  thread.Post(Line("select none"));
+  static_cast<void>(thread.StopWithin(std::chrono::milliseconds(0)));
+  const Document rescued = Rescued();
+  EXPECT_EQ(rescued.history.size() + rescued.posted.size(), 5u);
+}
+
+TEST_F(ReadOnlyTest, HavingLookedLeavesNothing) {
+  SessionThread thread(options_);
+  Settled(&thread, thread.Post(Line("view eye 9 14 40 target 10 5 7 fov 40 size 1600 1000")));
+  thread.Stop();
+  EXPECT_THAT(DraftsIn(options_.folders.data), SizeIs(0));
 }
 
 TEST_F(SessionThreadTest, AnUnknownFileIsSaidAndLeavesAnEmptyDocument) {
