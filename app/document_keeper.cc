@@ -59,7 +59,7 @@ void ApplyTo(const DocumentChange& change, Document* document) {
 DocumentKeeper::DocumentKeeper(UserFolders folders) : folders_(std::move(folders)) {}
 
 Result<void> DocumentKeeper::MayLeave(bool give_up) const {
-  if (give_up || unwritten_.empty()) return {};
+  if (give_up || status_.unwritten == 0) return {};
   return Fail(ErrorCode::kFile,
               fmt::format("{} strokes and commands of this document are not on the disk",
                           status_.unwritten),
@@ -214,9 +214,13 @@ void DocumentKeeper::Acknowledge(int64_t number) {
 }
 
 void DocumentKeeper::CountUnwritten() {
-  status_.unwritten = static_cast<uint64_t>(
-      std::count_if(unwritten_.begin(), unwritten_.end(),
-                    [](const DocumentChange& c) { return !c.IsEmpty() && !c.looks; }));
+  const auto is_missed = [&](const DocumentChange& change) {
+    // What a kill left over stays in a file that nobody writes, and is done at each opening.
+    const bool is_there = status_.read_only && change.number <= 0;
+    return !change.IsEmpty() && !change.looks && !is_there;
+  };
+  status_.unwritten =
+      static_cast<uint64_t>(std::count_if(unwritten_.begin(), unwritten_.end(), is_missed));
 }
 
 /// States that undo has forgotten since then need not wait for the file.

@@ -23,14 +23,18 @@ class DocumentKeeper {
   /// What was done up to this number is on the disk.
   int64_t acknowledged() const { return acknowledged_; }
 
+  /// Whether the open document can be left: `give_up`, or nothing but looking is not on the disk.
+  /// errors  kFile  strokes or commands would be lost.
+  Result<void> MayLeave(bool give_up) const;
+
   /// A new document without a name, which is `start` now. It gets a file, a draft, with the first
   /// change.
-  /// errors  kFile  changes of the open document are not on the disk, and `give_up` is false.
+  /// errors  those of MayLeave.
   Result<void> New(Document start, bool give_up);
 
   /// Opens a document, read-only where another process has it or where it can't be written;
   /// status() says why. A draft that was left stays a draft. Where this fails, what was open stays
-  /// open. errors  those of OpenDocument;  kFile  as New.
+  /// open. errors  those of OpenDocument and MayLeave.
   Result<Document> Open(const std::string& path, bool give_up);
 
   /// Writes everything to `path`, also what could not be written so far, and goes on there. A draft
@@ -67,7 +71,6 @@ class DocumentKeeper {
   void Tidy();
 
  private:
-  Result<void> MayLeave(bool give_up) const;
   Result<void> MakeDraft();
   Result<void> Write();
   Result<void> WriteInto(const std::string& path, Document document);

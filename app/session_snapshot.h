@@ -65,6 +65,8 @@ struct FailedRequest {
   uint64_t number = 0;  ///< 0: opening the document that the program was started with
   Error error;
   bool mended = false;  ///< one after it has been done, and more than looked: nobody need read it
+  /// Where it would have left behind what is not on the disk: the same, and that it may go.
+  std::optional<DocumentRequest> giving_up = {};
 };
 
 /// What the session thread knows at one moment. Snapshots are never changed: keep them at will.

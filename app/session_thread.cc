@@ -161,11 +161,12 @@ class SessionThread::Impl {
       SetBegun();
       auto done = request->moot ? Result<void>() : Do(*request);
       if (!done) {
-        Note(request->number, done.error());
+        Note(request->number, done.error(), GivingUp(*request->what));
       } else if (!request->moot && !IsLook(*request->what)) {
         NoteMended(request->number);
       }
-      DocumentChange change = ChangeBy(static_cast<int64_t>(request->number), done.has_value());
+      const bool on_session = !std::holds_alternative<DocumentRequest>(*request->what);
+      DocumentChange change = ChangeBy(static_cast<int64_t>(request->number), done && on_session);
       change.looks = IsLook(*request->what);
       document_->Executed(std::move(change));
       PublishState(request->number);
@@ -328,9 +329,24 @@ class SessionThread::Impl {
     return change;
   }
 
-  void Note(uint64_t number, const Error& error) {
+  /// The request that would not have failed if what is not on the disk might go.
+  std::optional<DocumentRequest> GivingUp(const SessionRequest& failed) {
+    const auto* request = std::get_if<DocumentRequest>(&failed);
+    const bool leaves = request && (request->kind == DocumentRequest::Kind::kNew ||
+                                    request->kind == DocumentRequest::Kind::kOpen);
+    if (!leaves || request->give_up) return std::nullopt;
+    const bool may =
+        document_->Run([](DocumentKeeper& keeper) { return keeper.MayLeave(false).has_value(); });
+    if (may) return std::nullopt;
+    DocumentRequest again = *request;
+    again.give_up = true;
+    return again;
+  }
+
+  void Note(uint64_t number, const Error& error,
+            const std::optional<DocumentRequest>& giving_up = {}) {
     const std::lock_guard lock(publish_mutex_);
-    snapshot_.last_error = {number, error};
+    snapshot_.last_error = {number, error, false, giving_up};
   }
 
   /// What failed before request `number`.

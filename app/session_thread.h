@@ -27,7 +27,7 @@ struct SessionThreadOptions {
 ///             (3) the file always holds the effect of the first n requests since it was opened,
 ///                 for some n >= the number acknowledged;
 ///             (4) no request is lost by stopping: what was posted is executed or kept for the next
-///                 opening, and written.
+///                 opening, and written: into a draft where the document can't be.
 class SessionThread {
  public:
   /// Starts at once; the document is opened on the new thread. Failures are in the snapshots.
@@ -48,7 +48,7 @@ class SessionThread {
   const WakeFd& ready() const;
 
   /// Finishes what was posted, writes it and closes the document. Idempotent; the last snapshot
-  /// stays readable and says whether everything is on the disk.
+  /// stays readable and says whether everything is on the disk, and in which file.
   void Stop();
 
   /// Stop() for who can't wait: what is not executed within `most` is in the document, and done

@@ -12,8 +12,8 @@ namespace {
 /// What is to be read with a warning before it, and the button that helps.
 struct Warning {
   std::string words;
-  const char* button;  ///< "" for none: it can only be closed
-  bool is_error;       ///< of the last request, not of the document
+  const char* button;  ///< "" for none
+  bool is_error;       ///< of the last request, not of the document: it can be closed
 };
 
 /// "can't write House.parti: no space left. Free some, or save elsewhere." of an Error.
@@ -35,7 +35,7 @@ std::vector<Warning> WarningsOf(Ui* ui, const Memory& memory) {
   const auto& failed = view.session->last_error;
   const bool is_news = failed && !failed->mended && failed->number != memory.dismissed;
   if (ui->complaint().empty() && is_news) {
-    warnings.push_back({Sentence(failed->error), "", true});
+    warnings.push_back({Sentence(failed->error), failed->giving_up ? "Leave them" : "", true});
   }
   return warnings;
 }
@@ -60,11 +60,14 @@ Doing DoingOf(const PanelView& view) {
   return {Icon::kCheck, Tone::kQuiet, document.named ? "Saved" : "Saved as a draft"};
 }
 
+float ButtonWidth(Ui* ui, const Warning& warning) {
+  return *warning.button ? ui->TextWidth(warning.button, Letter::kBody) + ui->U(24) : 0;
+}
+
 /// Room for the words of a warning.
 float WordsWidth(Ui* ui, const Warning& warning, float width) {
-  const float button = *warning.button ? ui->TextWidth(warning.button, Letter::kBody) + ui->U(24)
-                                       : ui->U(kMeasures.target);
-  return width - ui->U(44 + 16) - button;
+  return width - ui->U(44 + 16) - ButtonWidth(ui, warning) -
+         (warning.is_error ? ui->U(kMeasures.target) : 0);
 }
 
 float HeightOf(Ui* ui, const Warning& warning, float width) {
@@ -88,6 +91,29 @@ float HintHeight(Ui* ui, float width) {
 
 float SheetWidth(Ui* ui, float room) { return std::min(room, ui->U(760)); }
 
+/// The button that helps.
+void DrawRemedy(Ui* ui, Memory* memory, const Warning& warning, Box row) {
+  const Box box = row.Inset(0, (row.height() - ui->U(kMeasures.target)) / 2);
+  const ButtonLook look{.name = warning.button, .label = warning.button, .ground = Ground::kAccent};
+  if (!ui->Button(look, box).pressed) return;
+  if (warning.is_error) {
+    ui->Send(*ui->view().session->last_error->giving_up);
+  } else {
+    memory->Toggle(Sheet::kSaveAs, memory->layout.title);
+  }
+}
+
+void DrawClose(Ui* ui, Memory* memory, Box box) {
+  if (ui->Button({.name = "Close the message", .icon = Icon::kClose},
+                 box.Inset(0, (box.height() - ui->U(kMeasures.target)) / 2))
+          .pressed) {
+    const bool failed = ui->view().session && ui->view().session->last_error;
+    if (ui->complaint().empty() && failed)
+      memory->dismissed = ui->view().session->last_error->number;
+    ui->DropComplaint();
+  }
+}
+
 void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
   ui->Hairline(row);
   ui->Picture(Icon::kWarning, row.CutLeft(ui->U(44)), Tone::kWarning, Ground::kPanel);
@@ -97,22 +123,9 @@ void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
   words.y0 += (words.height() - height) / 2;
   ui->Paragraph(warning.words, words, {});
   row.x1 -= ui->U(4);
-  if (!warning.is_error) {
-    const Box box = row.Inset(0, (row.height() - ui->U(kMeasures.target)) / 2);
-    const ButtonLook look{
-        .name = warning.button, .label = warning.button, .ground = Ground::kAccent};
-    if (ui->Button(look, box).pressed) memory->Toggle(Sheet::kSaveAs, memory->layout.title);
-    return;
-  }
-  const Box box = row.CutRight(ui->U(kMeasures.target));
-  if (ui->Button({.name = "Close the message", .icon = Icon::kClose},
-                 box.Inset(0, (box.height() - ui->U(kMeasures.target)) / 2))
-          .pressed) {
-    const bool failed = ui->view().session && ui->view().session->last_error;
-    if (ui->complaint().empty() && failed)
-      memory->dismissed = ui->view().session->last_error->number;
-    ui->DropComplaint();
-  }
+  const Box close = warning.is_error ? row.CutRight(ui->U(kMeasures.target)) : Box();
+  if (*warning.button) DrawRemedy(ui, memory, warning, row);
+  if (warning.is_error) DrawClose(ui, memory, close);
 }
 
 /// What the next sketch acts on, where that was chosen; else "".

@@ -10,7 +10,6 @@
 
 #include "app/document_drafts.h"
 #include "app/recent_files.h"
-#include "base/text_file.h"
 #include "tests/app/faulty_disk.h"
 #include "tests/support/program.h"
 
@@ -363,18 +362,6 @@ TEST_F(DocumentKeeperTest, WhatIsWrittenNeedsNoRescue) {
   ASSERT_TRUE(keeper_.Rescue(DocumentOf(session_), {}));
   EXPECT_EQ(keeper_.status(), (DocumentStatus{path_, true}));
   ExpectWhole(path_, 2);
-  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
-}
-
-TEST_F(DocumentKeeperTest, WhereNothingIsKnownNothingIsRescued) {
-  Begin();
-  Do(kNode);
-  ASSERT_TRUE(WriteFile(path_, "no database"));
-  Do(kNode);
-  if (keeper_.status().trouble) {
-    EXPECT_FALSE(keeper_.Rescue({}, {}));
-    EXPECT_EQ(keeper_.status().path, path_);
-  }
   EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
 }
 

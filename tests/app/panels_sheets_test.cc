@@ -200,6 +200,16 @@ TEST_F(PanelsSheets, AMessageThatWasReadIsClosed) {
   EXPECT_FALSE(panels_.Shows("Status/Close the message"));
 }
 
+TEST_F(PanelsSheets, WhatIsNotOnTheDiskMayBeLeft) {
+  auto failed = std::make_shared<SessionSnapshot>(*panels_.view.session);
+  failed->last_error = FailedRequest{3, {ErrorCode::kFile, "1 stroke is not on the disk"}};
+  failed->last_error->giving_up = DocumentRequest{Kind::kOpen, "/srv/Old.parti", true};
+  panels_.view.session = failed;
+  EXPECT_TRUE(panels_.Shows("Status/Close the message"));
+  EXPECT_THAT(panels_.Tap("Status/Leave them"),
+              ElementsAre(PanelCommand(DocumentRequest{Kind::kOpen, "/srv/Old.parti", true})));
+}
+
 TEST_F(PanelsSheets, WhatFailedAtTheStartIsSaidUntilItIsRead) {
   auto failed = std::make_shared<SessionSnapshot>(*panels_.view.session);
   failed->last_error = FailedRequest{0, {ErrorCode::kFile, "can't read /srv/Old.parti"}};

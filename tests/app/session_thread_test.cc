@@ -113,6 +113,13 @@ TEST_F(SessionThreadTest, ANewDocumentLivesAmongTheDraftsFromTheFirstCommandOn) 
   EXPECT_THAT(PresentOf(*kept).ground->lots, SizeIs(1));
 }
 
+TEST_F(SessionThreadTest, ANewDocumentThatNobodyDrawsInLeavesNoDraft) {
+  SessionThread thread(options_);
+  for (int i = 0; i < 3; ++i) Settled(&thread, thread.Post(DocumentRequest{Kind::kNew}));
+  EXPECT_EQ(thread.Newest()->document.path, "");
+  EXPECT_THAT(DraftsIn(options_.folders.data), SizeIs(0));
+}
+
 TEST_F(SessionThreadTest, StoppingExecutesAndWritesWhatWasPosted) {
   const std::string path = folder_ + "/house.parti";
   {
@@ -232,6 +239,42 @@ TEST_F(ReadOnlyTest, WhatIsNotExecutedInTimeIsInTheDraftToo) {
   static_cast<void>(thread.StopWithin(std::chrono::milliseconds(0)));
   const Document rescued = Rescued();
   EXPECT_EQ(rescued.history.size() + rescued.posted.size(), 5u);
+}
+
+TEST_F(ReadOnlyTest, HavingLookedItIsLeftWithoutAWord) {
+  SessionThread thread(options_);
+  thread.Post(DocumentRequest{Kind::kExport, folder_ + "/house.obj"});
+  thread.Post(Line("view eye 9 14 40 target 10 5 7 fov 40 size 1600 1000"));
+  const auto now = Settled(&thread, thread.Post(DocumentRequest{Kind::kNew}));
+  EXPECT_FALSE(now->last_error) << now->last_error->error.message;
+  EXPECT_FALSE(now->document.read_only);
+}
+
+TEST_F(ReadOnlyTest, WhatAKillLeftOverInItStaysThere) {
+  lock_.reset();
+  Document document = *OpenDocument(options_.path);
+  document.posted = {{"node .Row --> color(\"blue\")"}};
+  ASSERT_TRUE(SaveDocument(document, options_.path));
+  lock_ = std::move(*DocumentLock::Take(options_.path));
+  SessionThread thread(options_);
+  const auto now = Settled(&thread, thread.Post(Line("take none")));
+  EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("blue"));
+  thread.Stop();
+  EXPECT_THAT(DraftsIn(options_.folders.data), SizeIs(0));
+  EXPECT_THAT(OpenDocument(options_.path)->posted, SizeIs(1));
+}
+
+TEST_F(ReadOnlyTest, WhatWasDrawnIsLeftOnlyWhenItMayGo) {
+  SessionThread thread(options_);
+  thread.Post(DocumentRequest{Kind::kOpen, options_.path});
+  thread.Post(Line("node .Row --> color(\"blue\")"));
+  auto now = Settled(&thread, thread.Post(DocumentRequest{Kind::kNew}));
+  EXPECT_EQ(now->document.unwritten, 1u);
+  ASSERT_TRUE(now->last_error && now->last_error->giving_up);
+  EXPECT_EQ(*now->last_error->giving_up, (DocumentRequest{Kind::kNew, "", true}));
+  now = Settled(&thread, thread.Post(*now->last_error->giving_up));
+  EXPECT_TRUE(now->state->model.lots().empty());
+  EXPECT_TRUE(now->last_error->mended);
 }
 
 TEST_F(ReadOnlyTest, HavingLookedLeavesNothing) {
