@@ -24,9 +24,11 @@ Result<DocumentFile> DocumentFile::Open(const std::string& path) {
   auto database = Database::Open(path, Database::Mode::kWrite);
   if (!database) return Fail(database);
   DocumentFile file(path, std::move(*lock), std::move(*database));
-  // FULL: a commit has reached the disk, not only the log. Checkpoints are made in Tidy().
+  // FULL: a commit has reached the disk, not only the log. Checkpoints are made in Tidy(), and the
+  // first commit after one cuts the log off: else it stayed large, and was tidied again each time.
   auto done = file.database_.Execute(
-      "PRAGMA synchronous=FULL; PRAGMA journal_mode=WAL; PRAGMA wal_autocheckpoint=0");
+      "PRAGMA synchronous=FULL; PRAGMA journal_mode=WAL; PRAGMA wal_autocheckpoint=0;"
+      "PRAGMA journal_size_limit=0");
   if (done) done = Migrate(&file.database_, path);
   if (!done) return Fail(done);
   return file;

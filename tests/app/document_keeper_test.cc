@@ -157,6 +157,20 @@ TEST_F(DocumentKeeperTest, TheUndoLimitHoldsInTheFileToo) {
             14);
 }
 
+TEST_F(DocumentKeeperTest, ALogThatWasTidiedIsSmallAgain) {
+  constexpr uintmax_t kLarge = uintmax_t{4} << 20;  // as in document_file.cc
+  const auto log = [&] { return fs::file_size(path_ + "-wal"); };
+  Begin();
+  for (int64_t number = 2; number < 8; ++number) {
+    keeper_.Keep({{number, {std::string(1 << 20, 'x')}}});
+  }
+  EXPECT_GT(log(), kLarge);
+  keeper_.Tidy();
+  keeper_.Apply({{8}});
+  EXPECT_LT(log(), kLarge);
+  EXPECT_FALSE(keeper_.status().trouble);
+}
+
 TEST_F(DocumentKeeperTest, AFullDiskIsSaidAtOnceAndWritingResumes) {
   FaultyDisk disk;
   Begin();
