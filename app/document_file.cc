@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/document_migration.h"
+#include "app/document_reading.h"
 #include "app/document_record.h"
 #include "app/document_values.h"
 
@@ -23,6 +24,8 @@ Result<DocumentFile> DocumentFile::Open(const std::string& path) {
   if (!lock) return Fail(lock);
   auto database = Database::Open(path, Database::Mode::kWrite);
   if (!database) return Fail(database);
+  // Another program's file stays as it is: what follows, and closing a document, writes.
+  if (const auto ours = VersionOf(&*database, path); !ours) return Fail(ours);
   DocumentFile file(path, std::move(*lock), std::move(*database));
   // FULL: a commit has reached the disk, not only the log. Checkpoints are made in Tidy(), and the
   // first commit after one cuts the log off: else it stayed large, and was tidied again each time.

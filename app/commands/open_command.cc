@@ -146,11 +146,41 @@ int CheckFile(const std::string& file, const std::vector<std::string>& commands)
   return kWrongUsage;
 }
 
-Result<void> BeginFile(const std::string& file, Application* application) {
-  if (file.empty() || IsThere(file)) return {};
-  application->Do(PanelCommand(DocumentRequest{DocumentRequest::Kind::kSaveAs, file}));
-  return Settle(application);
+/// Whether nobody may be there to read what panels say.
+bool IsUnattended(const Options& options) {
+  return !options.play.empty() || !options.screenshot.empty();
 }
+
+/// Opens the file, or begins it. Who has nobody to tell does not go on without it.
+Result<void> BeginFile(const Options& options, Application* application) {
+  if (options.file.empty()) return {};
+  const bool is_there = IsThere(options.file);
+  if (is_there && !IsUnattended(options)) return {};  // OpeningReport says what goes wrong
+  if (!is_there) {
+    application->Do(PanelCommand(DocumentRequest{DocumentRequest::Kind::kSaveAs, options.file}));
+  }
+  if (auto settled = Settle(application); !settled) return settled;
+  const SessionSnapshot& now = application->snapshot();
+  const bool is_open = is_there ? !now.document.path.empty() : now.document.named;
+  if (!now.last_error) return {};
+  if (IsUnattended(options) && !is_open) return tl::unexpected<Error>(now.last_error->error);
+  Report(now.last_error->error);
+  return {};
+}
+
+/// What went wrong while the file was opened, once, for whoever started the program from a
+/// terminal.
+class OpeningReport {
+ public:
+  void Tell(const SessionSnapshot& snapshot) {
+    if (told_ || !snapshot.last_error || snapshot.last_error->number != 0) return;
+    told_ = true;
+    Report(snapshot.last_error->error);
+  }
+
+ private:
+  bool told_ = false;
+};
 
 /// The lot for a document that has none.
 Result<void> BeginOn(const std::string& lot, Application* application) {
@@ -174,12 +204,15 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   Result<void> logged;
   with.end_asked = [&signals] { return signals.came(); };
   with.end_fd = signals.fd();
+  OpeningReport opening;
   with.on_snapshot = [&](const SessionSnapshot& snapshot) {
+    if (!IsUnattended(options)) opening.Tell(snapshot);
     if (*log && logged) logged = (*log)->Note(snapshot);
   };
   auto application = Application::Create(display, session, std::move(with));
   if (!application) return Fail(application);
-  if (auto begun = BeginFile(options.file, application->get()); !begun) return begun;
+  if (!IsUnattended(options)) opening.Tell((*application)->snapshot());
+  if (auto begun = BeginFile(options, application->get()); !begun) return begun;
   if (auto begun = BeginOn(options.lot, application->get()); !begun) return begun;
   if (!options.play.empty()) {
     if (auto played = PlayFile(options.play, application->get()); !played) return played;

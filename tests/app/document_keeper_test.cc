@@ -10,6 +10,8 @@
 
 #include "app/document_drafts.h"
 #include "app/recent_files.h"
+#include "app/sqlite.h"
+#include "base/text_file.h"
 #include "tests/app/faulty_disk.h"
 #include "tests/support/program.h"
 
@@ -279,6 +281,21 @@ TEST_F(DocumentKeeperTest, WhenTheFirstInstanceHasGoneTheSecondMayWrite) {
   ASSERT_TRUE(keeper_.New(DocumentOf(Session()), false));
   ASSERT_TRUE(second.Open(path_, false));
   EXPECT_FALSE(second.status().read_only);
+}
+
+TEST_F(DocumentKeeperTest, WhatIsNoDocumentIsRefusedAndStaysAsItIs) {
+  {
+    auto other = Database::Open(path_, Database::Mode::kCreate);
+    ASSERT_TRUE(other);
+    ASSERT_TRUE(other->Execute("PRAGMA journal_mode=WAL; CREATE TABLE place(name TEXT)"));
+  }
+  const auto before = ReadFile(path_);
+  EXPECT_FALSE(keeper_.Open(path_, false));
+  EXPECT_EQ(*ReadFile(path_), *before);
+  const std::string empty = folder_ + "/empty.parti";
+  std::fclose(std::fopen(empty.c_str(), "w"));
+  EXPECT_FALSE(keeper_.Open(empty, false));
+  EXPECT_EQ(fs::file_size(empty), 0u);
 }
 
 TEST_F(DocumentKeeperTest, AnotherInstancesDocumentIsNotSavedOver) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "base/text_file.h"
 #include "tests/support/data.h"
 #include "tests/support/program.h"
@@ -199,6 +201,30 @@ TEST_F(ErrorsTest, OutputsThatCannotBeWrittenAreSaid) {
     const ProgramRun run = RunParti({"replay", house, option, path});
     EXPECT_EQ(run.status, 1) << option;
     EXPECT_THAT(run.errors, HasSubstr("nowhere")) << option;
+  }
+}
+
+/// The application itself, whose drafts are the test's own.
+class ApplicationErrorsTest : public ErrorsTest {
+ protected:
+  void SetUp() override {
+    ::setenv("HOME", folder_.c_str(), 1);
+    for (const char* name : {"XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME"}) {
+      ::unsetenv(name);
+    }
+  }
+};
+
+TEST_F(ApplicationErrorsTest, WithoutItsDocumentNothingIsPlayedAndNoPictureTaken) {
+  const std::string house = SourceFile("assets/drawings/house.pen");
+  const std::string png = folder_ + "/x.png";
+  for (const std::string& file : {Written("damaged.parti", "no database"),
+                                  Written("empty.parti", ""), folder_ + "/nowhere/new.parti"}) {
+    const ProgramRun run =
+        RunParti({"--display", "offscreen", "--play", house, "--screenshot", png, file});
+    EXPECT_EQ(run.status, 1) << file;
+    EXPECT_THAT(run.errors, HasSubstr(file));
+    EXPECT_FALSE(ReadFile(png)) << file;
   }
 }
 
