@@ -49,10 +49,12 @@ Result<Document> DocumentFile::Read() { return ReadTables(&database_, path_); }
 Result<void> DocumentFile::TakeUpLeftOver(const std::vector<PostedRequest>& posted) {
   return InTransaction([&]() -> Result<void> {
     auto done = database_.Execute(
-        "INSERT INTO laid_aside(command, samples)"
-        "  SELECT command, samples FROM posted WHERE begun >= 2;"
-        "DELETE FROM posted");
+        fmt::format("INSERT INTO laid_aside(command, samples)"
+                    "  SELECT command, samples FROM posted WHERE {} ORDER BY number;"
+                    "DELETE FROM posted",
+                    kLeftAlone));
     if (done) done = WritePosted(&database_, posted);
+    if (done) done = database_.Execute("UPDATE posted SET begun = 1 WHERE begun = 0");
     has_kept_ = true;
     return done;
   });

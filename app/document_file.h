@@ -46,10 +46,12 @@ class DocumentFile {
   Result<Document> Read();
 
   /// Readies the requests that a killed program left over, `Document::posted`: their numbers end
-  /// with 0 from now on. What ended the program twice is laid aside. errors  as Apply.
+  /// with 0 from now on. What ended the program twice is laid aside; what is set about for the
+  /// first time is counted, all at once: there may be much of it. errors  as Apply.
   Result<void> TakeUpLeftOver(const std::vector<PostedRequest>& posted);
 
-  /// Counts that one of them is set about now, before it is. errors  as Apply.
+  /// Counts one that had been begun before, when it is set about and before it is: so only what
+  /// ends the program is counted twice. errors  as Apply.
   Result<void> BeginLeftOver(int64_t number);
 
   /// Keeps requests that are not executed yet, so that they outlive the program. errors  as Apply.

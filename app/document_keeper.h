@@ -54,8 +54,8 @@ class DocumentKeeper {
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
   Document Everything(Document in_memory);
 
-  /// Counts that a request which a kill left over, numbered up to 0, is set about now, before it
-  /// is.
+  /// To be told before a request is executed that a kill left over, numbered up to 0, and that had
+  /// been begun before: as of DocumentFile.
   void BeginLeftOver(int64_t number);
 
   /// Keeps requests that are not executed yet; they are not in `status().unwritten`.

@@ -107,13 +107,15 @@ Result<Document> ReadAll(Database* database, const std::string& path) {
   });
   reader.Read("SELECT place, name, text FROM part",
               [&](const Statement& row) { return ReadPart(row, texts, &states); });
-  // A request that was begun twice and never done ends the program: it is left alone.
-  reader.Read("SELECT command, samples, begun FROM posted WHERE begun < 2 ORDER BY number",
+  reader.Read(fmt::format("SELECT command, samples, begun FROM posted WHERE NOT {} ORDER BY number",
+                          kLeftAlone),
               [&](const Statement& row) { return ReadPosted(row, &document.posted); });
   reader.Read("SELECT command, samples, 0 FROM laid_aside ORDER BY id",
               [&](const Statement& row) { return ReadPosted(row, &document.laid_aside); });
-  reader.Read("SELECT command, samples, begun FROM posted WHERE begun >= 2 ORDER BY number",
-              [&](const Statement& row) { return ReadPosted(row, &document.laid_aside); });
+  reader.Read(
+      fmt::format("SELECT command, samples, max(begun, 1) FROM posted WHERE {} ORDER BY number",
+                  kLeftAlone),
+      [&](const Statement& row) { return ReadPosted(row, &document.laid_aside); });
   if (!reader.result) return Fail(reader.result);
   if (const auto read = ReadStates(states, &document); !read) {
     return tl::unexpected<Error>(Damaged(path, read.error().message));

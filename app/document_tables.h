@@ -41,6 +41,11 @@ Result<void> WritePosted(Database* database, int64_t number, const PostedRequest
 /// Numbers them so that the last one's is 0.
 Result<void> WritePosted(Database* database, const std::vector<PostedRequest>& requests);
 
+/// Which rows of `posted` are not to be executed: one that was begun twice and never done ends the
+/// program, and what was posted after it is about what it would have made.
+inline constexpr std::string_view kLeftAlone =
+    "number >= ifnull((SELECT min(number) FROM posted WHERE begun >= 2), 9e18)";
+
 /// A request that is not to be executed again.
 Result<void> WriteLaidAside(Database* database, const PostedRequest& request);
 

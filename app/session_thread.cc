@@ -301,7 +301,9 @@ class SessionThread::Impl {
     auto number = -static_cast<int64_t>(posted.size());
     for (const PostedRequest& request : posted) {
       ++number;
-      document_->Run([&](DocumentKeeper& keeper) { keeper.BeginLeftOver(number); });
+      if (request.begun > 0) {
+        document_->Run([&](DocumentKeeper& keeper) { keeper.BeginLeftOver(number); });
+      }
       const auto done = DoAgain(request);
       if (!done) Note(opening, done.error());
       document_->Executed(ChangeBy(number, done.has_value()));

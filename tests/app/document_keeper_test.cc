@@ -168,7 +168,7 @@ TEST_F(DocumentKeeperTest, ALogThatWasTidiedIsSmallAgain) {
   }
   EXPECT_GT(log(), kLarge);
   keeper_.Tidy();
-  keeper_.Apply({{8}});
+  keeper_.Keep({{8, {"take none"}}});
   EXPECT_LT(log(), kLarge);
   EXPECT_FALSE(keeper_.status().trouble);
 }
@@ -433,15 +433,16 @@ TEST_F(DocumentKeeperTest, OfWhatAKillLeftOverOnlyWhatEndsTheProgramIsLaidAsideT
     EXPECT_EQ(document->posted[0].command, kNode);
     EXPECT_EQ(document->posted[1].stroke, StrokeFrom("1,2 3,4"));
     EXPECT_THAT(document->laid_aside, IsEmpty());
-    next.BeginLeftOver(-1);  // and it is killed
+    EXPECT_EQ(document->posted[0].begun, time);
+    if (time > 0) next.BeginLeftOver(0);  // and it is killed
   }
   DocumentKeeper third(folders_);
   const auto document = third.Open(killed, false);
   ASSERT_TRUE(document);
   ASSERT_THAT(document->posted, SizeIs(1));
-  EXPECT_EQ(document->posted[0].stroke, StrokeFrom("1,2 3,4"));
+  EXPECT_EQ(document->posted[0].command, kNode);
   ASSERT_THAT(document->laid_aside, SizeIs(1));
-  EXPECT_EQ(document->laid_aside[0].command, kNode);
+  EXPECT_EQ(document->laid_aside[0].stroke, StrokeFrom("1,2 3,4"));
   third.BeginLeftOver(0);
   third.Apply({{0}});
   third.Keep({{1, {"take none"}}});
@@ -452,7 +453,7 @@ TEST_F(DocumentKeeperTest, OfWhatAKillLeftOverOnlyWhatEndsTheProgramIsLaidAsideT
     ASSERT_TRUE(after) << FormatError(after.error());
     EXPECT_THAT(after->posted, IsEmpty()) << path;
     ASSERT_THAT(after->laid_aside, SizeIs(1)) << path;
-    EXPECT_EQ(after->laid_aside[0].command, kNode);
+    EXPECT_EQ(after->laid_aside[0].stroke, StrokeFrom("1,2 3,4"));
     EXPECT_EQ(after->laid_aside[0].begun, 0) << "it was said once";
   }
 }

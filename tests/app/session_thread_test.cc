@@ -346,7 +346,7 @@ TEST_F(SessionThreadTest, WhatFailsOfThemIsSaidOfTheOpening) {
   EXPECT_FALSE(now->last_error->mended) << "that the file was opened mends nothing";
 }
 
-TEST_F(SessionThreadTest, WhatEndedTheProgramTwiceIsSaidAndKeptAndTheRestIsDone) {
+TEST_F(SessionThreadTest, WhatEndedTheProgramTwiceIsSaidAndKeptWithAllAfterItAndTheRestIsDone) {
   options_.path = folder_ + "/house.parti";
   Document document = DocumentOf(Session());
   document.posted = {{"lot rect(20,14)"},
@@ -358,14 +358,15 @@ TEST_F(SessionThreadTest, WhatEndedTheProgramTwiceIsSaidAndKeptAndTheRestIsDone)
     const auto now = Settled(&thread, thread.Post(Line("select none")));
     ASSERT_TRUE(now->last_error);
     EXPECT_EQ(now->last_error->number, 0u);
-    EXPECT_THAT(now->last_error->error.message, HasSubstr("1 of what was drawn last"));
+    EXPECT_THAT(now->last_error->error.message, HasSubstr("2 of what was drawn last"));
     EXPECT_THAT(now->last_error->error.hint, HasSubstr(options_.path));
-    EXPECT_THAT(grammar::TextOf(now->state->model.trees()), HasSubstr("extrude(12)"));
+    EXPECT_THAT(now->state->model.lots(), SizeIs(1));
+    EXPECT_THAT(now->state->model.trees(), SizeIs(0));
   }
   const auto kept = OpenDocument(options_.path);
   ASSERT_TRUE(kept) << FormatError(kept.error());
   EXPECT_THAT(kept->posted, SizeIs(0));
-  ASSERT_THAT(kept->laid_aside, SizeIs(1));
+  ASSERT_THAT(kept->laid_aside, SizeIs(2));
   EXPECT_THAT(kept->laid_aside[0].command, HasSubstr("split"));
 }
 
