@@ -12,8 +12,8 @@
 
 namespace parti::app {
 
-/// Lines "acknowledged N" with the number of the last request that is safe, and "failed N: why"; N is 0
-/// for opening the document that the program was started with.
+/// Lines "acknowledged N" with the number of the last request that is safe, and "failed N: why"; N
+/// is 0 for opening the document that the program was started with.
 class AcknowledgementLog {
  public:
   /// Appends to the file, which is made where there is none; a device or a FIFO is written into.
