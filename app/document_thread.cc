@@ -52,10 +52,11 @@ void DocumentThread::Flush() {
   rests_.wait(lock, [this] { return resting_ && !HasWork(); });
 }
 
-void DocumentThread::Add(Call call) {
+std::future<void> DocumentThread::Add(std::function<void(DocumentKeeper&)> work) {
   const std::lock_guard lock(mutex_);
-  calls_.push_back(std::move(call));
+  calls_.push_back({std::move(work), {}});
   given_.notify_one();
+  return calls_.back().told.get_future();
 }
 
 bool DocumentThread::HasWork() const {
@@ -113,9 +114,10 @@ void DocumentThread::Work() {
     const bool idle = batch.changes.empty() && batch.requests.empty() && !batch.call;
     if (!batch.changes.empty()) keeper_.Apply(std::move(batch.changes));
     if (!batch.requests.empty()) keeper_.Keep(batch.requests);
-    if (batch.call) batch.call(keeper_);
+    if (batch.call) batch.call->work(keeper_);
     if (idle) keeper_.TryAgain();
     news_(keeper_.status(), keeper_.acknowledged());
+    if (batch.call) batch.call->told.set_value();
     keeper_.Tidy();
     if (batch.stop) return;
   }

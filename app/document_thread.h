@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -41,18 +42,21 @@ class DocumentThread {
   /// Waits until all that was given is on the disk, as far as it can be.
   void Flush();
 
-  /// Runs `work` with the keeper after everything that was given so far, and waits for it.
+  /// Runs `work` with the keeper after everything that was given so far, and waits for it and for
+  /// its news: what is published next goes with the status that it left.
   template <typename Work>
   auto Run(Work work) -> std::invoke_result_t<Work, DocumentKeeper&> {
     std::packaged_task<std::invoke_result_t<Work, DocumentKeeper&>(DocumentKeeper&)> task(
         std::move(work));
-    auto result = task.get_future();
-    Add([&task](DocumentKeeper& keeper) { task(keeper); });
-    return result.get();
+    Add([&task](DocumentKeeper& keeper) { task(keeper); }).wait();
+    return task.get_future().get();
   }
 
  private:
-  using Call = std::function<void(DocumentKeeper&)>;
+  struct Call {
+    std::function<void(DocumentKeeper&)> work;
+    std::promise<void> told;  // kept when its news are out
+  };
   struct Waiting {
     int64_t number = 0;
     std::shared_ptr<const SessionRequest> request;
@@ -60,11 +64,11 @@ class DocumentThread {
   struct Batch {
     std::vector<DocumentChange> changes;
     std::vector<KeptRequest> requests;
-    Call call;
+    std::optional<Call> call;
     bool stop = false;
   };
 
-  void Add(Call call);
+  std::future<void> Add(std::function<void(DocumentKeeper&)> work);
   void Work();
   Batch Next();
   bool HasWork() const;
