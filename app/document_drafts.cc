@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/document_lock.h"
+#include "app/file_ending.h"
 #include "app/user_folders.h"
 
 namespace parti::app {
@@ -33,7 +34,8 @@ Result<std::string> NewDraftPath(const std::string& data_folder) {
   ::localtime_r(&now, &local);
   const std::string name = fmt::format("{:%Y-%m-%d %H.%M.%S}", local);
   for (int i = 1;; ++i) {  // several in one second
-    const fs::path path = folder / (i == 1 ? name + ".parti" : fmt::format("{} {}.parti", name, i));
+    const fs::path path =
+        folder / fmt::format("{}{}{}", name, i == 1 ? "" : fmt::format(" {}", i), kDocumentEnding);
     const int fd = ::open(path.c_str(), O_CREAT | O_EXCL | O_CLOEXEC | O_WRONLY, S_IRUSR | S_IWUSR);
     if (fd >= 0) {
       ::close(fd);
@@ -49,11 +51,11 @@ Result<std::string> NewDraftPath(const std::string& data_folder) {
 
 bool IsDraft(const std::string& data_folder, const std::string& path) {
   if (data_folder.empty()) return false;
-  std::error_code failed;
   const fs::path drafts = DraftFolder(data_folder);
-  const fs::path folder = fs::absolute(path, failed).lexically_normal().parent_path();
+  const fs::path folder = fs::path(WholePath(path)).parent_path();
   // By its name first: a path may be on a disk that does not answer.
-  if (failed || folder.filename() != drafts.filename()) return false;
+  if (folder.filename() != drafts.filename()) return false;
+  std::error_code failed;
   return folder == drafts || fs::equivalent(folder, drafts, failed);
 }
 
@@ -61,7 +63,7 @@ std::vector<std::string> DraftsIn(const std::string& data_folder) {
   std::vector<std::pair<fs::file_time_type, std::string>> found;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(DraftFolder(data_folder), code)) {
-    if (entry.path().extension() != ".parti" || entry.file_size(code) == 0) continue;
+    if (entry.path().extension() != kDocumentEnding || entry.file_size(code) == 0) continue;
     found.emplace_back(entry.last_write_time(code), entry.path().string());
   }
   std::sort(found.rbegin(), found.rend());

@@ -4,29 +4,19 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 
 #include "app/document_drafts.h"
 #include "app/document_record.h"
 #include "app/recent_files.h"
 #include "app/replacing.h"
+#include "app/user_folders.h"
 
 namespace parti::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 Error Vanished(const std::string& path) {
   return {ErrorCode::kFile, fmt::format("{} is gone: deleted, moved, or its disk pulled out", path),
           "put the disk back, or save it as another file: everything is still here"};
-}
-
-/// However the program was told of it, and wherever it was started.
-std::string Whole(const std::string& path) {
-  std::error_code failed;
-  const fs::path whole = fs::absolute(path, failed);
-  return failed ? path : whole.lexically_normal().string();
 }
 
 /// Whether a killed program left requests over, to be executed or laid aside.
@@ -118,7 +108,7 @@ Result<void> DocumentKeeper::WriteInto(const std::string& path, Document documen
 void DocumentKeeper::GoOnIn(const std::string& path, Result<DocumentFile> file, Document document) {
   file_.reset();
   unwritten_.clear();
-  status_ = DocumentStatus{Whole(path), !IsDraft(folders_.data, path)};
+  status_ = DocumentStatus{WholePath(path), !IsDraft(folders_.data, path)};
   if (file) {
     file_ = std::move(*file);
   } else {

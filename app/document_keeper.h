@@ -14,7 +14,8 @@
 
 namespace parti::app {
 
-/// Not thread-safe. What goes wrong with writing is in status(), and tried again with each call.
+/// Not thread-safe. New or Open comes first. What goes wrong with writing is in status(), and tried
+/// again with each call.
 class DocumentKeeper {
  public:
   explicit DocumentKeeper(UserFolders folders);
@@ -47,8 +48,8 @@ class DocumentKeeper {
   /// For who has to leave: where strokes or commands can't be written where they belong, makes a
   /// draft of everything and goes on there; status() says so. Else it does nothing.
   /// in_memory  as for SaveAs; without states where the session can't be asked.
-  /// waiting    requests that stay for the next opening; what has been executed of them is left
-  /// out. errors     kFile  a draft was needed and can't be made.
+  /// waiting    requests that stay for the next opening, without what has been executed of them.
+  /// errors     kFile  a draft was needed and can't be made.
   Result<void> Rescue(Document in_memory, const std::vector<KeptRequest>& waiting);
 
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.

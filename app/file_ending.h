@@ -9,6 +9,9 @@
 
 namespace parti::app {
 
+/// Of documents.
+inline constexpr std::string_view kDocumentEnding = ".parti";
+
 /// ".png" of "old.houses/House.PNG": in small letters; "" of a name without a dot.
 std::string EndingOf(const std::string& path);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/document_drafts.h"
+#include "app/file_ending.h"
 #include "app/recent_files.h"
 
 namespace parti::app {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 bool IsShown(const fs::path& path, bool is_folder) {
   const bool hidden = path.filename().string().starts_with('.');
-  return !hidden && (is_folder || path.extension() == ".parti");
+  return !hidden && (is_folder || path.extension() == kDocumentEnding);
 }
 
 std::string Folded(std::string text) {

@@ -78,8 +78,8 @@ using OverPanel = std::function<bool(const Vec2& px)>;
 /// until it lifts; what comes down on the drawing stays the drawing's, wherever it goes.
 /// One thing drags over the drawing at a time: what comes down meanwhile does nothing until it
 /// lifts. Only a pen goes before what is none, a mouse that was bumped or a touchpad that was
-/// tapped: their drag ends with its coming down, and what it has drawn so far counts. Properties
-/// (1) drags and gestures have one kBegin, then kMoves, then one kEnd or kCancel, and
+/// tapped: their drag ends with its coming down, and what it has drawn so far counts.
+/// Properties  (1) drags and gestures have one kBegin, then kMoves, then one kEnd or kCancel, and
 ///                 drags follow one another;
 ///             (2) a panel sees one pointer: a second one that comes down meanwhile is dropped;
 ///             (3) a device that goes ends its drag (kEnd: what is drawn so far counts) and leaves

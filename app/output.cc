@@ -94,7 +94,7 @@ Result<void> CheckEndings(const std::vector<std::string>& exports, const std::st
     if (auto known = CheckExportEnding(path); !known) return known;
   }
   if (auto fine = CheckEnding(png, ".png"); !fine) return fine;
-  return CheckEnding(document, ".parti");
+  return CheckEnding(document, kDocumentEnding);
 }
 
 std::string ExportEndings() {

@@ -1,12 +1,13 @@
 #include "app/query_preview.h"
 
 #include "app/meaning.h"
+#include "app/scene_preparer.h"
 #include "grammar/query.h"
 
 namespace parti::app {
 
 bool QueryPreview::operator==(const QueryPreview& other) const {
-  return query == other.query && state->model.derived == other.state->model.derived;
+  return query == other.query && SameModel(*state, *other.state);
 }
 
 WorldMarks OutlinesOf(const QueryPreview& preview, const DrawingStyle& style) {

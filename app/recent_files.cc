@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
 #include "app/user_folders.h"
 #include "base/text_file.h"
@@ -67,8 +65,7 @@ std::vector<std::string> RecentFiles(const std::string& state_folder) {
 
 void NoteRecentFile(const std::string& state_folder, const std::string& path) {
   if (!MakeFolder(state_folder)) return;
-  std::error_code code;
-  const std::string whole = std::filesystem::absolute(path, code).lexically_normal().string();
+  const std::string whole = WholePath(path);
   const ListLock lock(state_folder);
   std::vector<std::string> paths = RecentFiles(state_folder);
   std::erase(paths, whole);

@@ -94,9 +94,13 @@ TimelineStep& Timeline::At(uint64_t number) {
 }
 
 void Timeline::Change(SessionState next) {
-  if (RecordOf(next) == At(span_.now).record) return Look(std::move(next));
+  SessionRecord record = RecordOf(next);
+  if (record == At(span_.now).record) {
+    At(span_.now) = {std::move(record), std::move(next)};
+    return;
+  }
   steps_.resize(span_.now - span_.first + 1);
-  steps_.push_back({RecordOf(next), std::move(next)});
+  steps_.push_back({std::move(record), std::move(next)});
   span_.last = ++span_.now;
   Bound();
 }

@@ -33,6 +33,12 @@ UserFolders UserFoldersFromEnvironment() {
   return {data + "/parti", state + "/parti"};
 }
 
+std::string WholePath(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::path whole = std::filesystem::absolute(path, failed);
+  return failed ? path : whole.lexically_normal().string();
+}
+
 Result<void> MakeFolder(const std::string& path) {
   std::string so_far;
   for (const auto& part : std::filesystem::path(path)) {

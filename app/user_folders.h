@@ -19,6 +19,10 @@ struct UserFolders {
 /// folder for temporary files.
 UserFolders UserFoldersFromEnvironment();
 
+/// The absolute path of a file, without "." and ".."; it need not exist, and links stay. The path
+/// as it is where there is no working folder any more.
+std::string WholePath(const std::string& path);
+
 /// Makes a folder and those above it, readable by this user alone (mode 0700), where missing.
 /// errors  kFile  naming it.
 Result<void> MakeFolder(const std::string& path);

@@ -32,9 +32,8 @@ struct Keystroke {
 /// layout that is active in `keys`. Modifiers don't matter.
 /// Property  (1) a key that types one of a to z has that letter's code, wherever it lies.
 ///           (2) other keys have that of their place, unless a letter has it: then that of the
-///           place
-///               which the letter is typed in, and so on. So different keys have different codes,
-///               where a layout has no letter twice.
+///               place which the letter is typed in, and so on. So different keys have different
+///               codes, where a layout has no letter twice.
 ///           (3) a layout of other letters (Greek, Russian) has codes of the first of the keymap's
 ///               layouts that has Latin ones; there is none: of places.
 /// Cost: some hundred look-ups in the keymap, up to some thousand for a key that gave way.

@@ -38,10 +38,9 @@ std::optional<Vec2> SizeOf_mm(uint32_t width_mm, uint32_t height_mm);
 /// Which output to draw on, as an index; nothing where none is connected and has a mode.
 ///
 /// wanted      the name of one; "" for any. Nothing else will do while it is named.
-/// pens_mm     areas of the display tablets that are there; of no opaque ones, which have no
-/// screen.
-///             One of the same size (to kSamePart) is the tablet's own, and comes before a built-in
-///             one, which comes before others.
+/// pens_mm     areas of the display tablets that are there; opaque ones have no screen. One of the
+///             same size (to kSamePart) is the tablet's own, and comes before a built-in one, which
+///             comes before others.
 std::optional<size_t> ChooseOutput(std::span<const KmsOutput> outputs, const std::string& wanted,
                                    std::span<const Vec2> pens_mm);
 

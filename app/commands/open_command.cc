@@ -135,7 +135,7 @@ bool IsThere(const std::string& file) {
 /// A file that is not there yet is begun, if its name is a document's. A bare word is taken for a
 /// misspelt command. The exit status; kDone where all is well.
 int CheckFile(const std::string& file, const std::vector<std::string>& commands) {
-  if (file.empty() || IsThere(file) || file.ends_with(".parti")) return kDone;
+  if (file.empty() || IsThere(file) || file.ends_with(kDocumentEnding)) return kDone;
   Error error{ErrorCode::kFile, fmt::format("there is no file '{}'", file),
               "documents end in .parti; parti --help lists the commands"};
   if (file.find_first_of("./") != std::string::npos) return Report(error);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "app/panels/hints.h"
 #include "app/panels/words.h"
 #include "grammar/query_reading.h"
@@ -9,11 +11,19 @@
 namespace parti::app::panels {
 namespace {
 
-/// What is to be read with a warning before it, and the button that helps.
-struct Warning {
+/// A button of a notice; one without a name is none.
+struct Way {
+  const char* name = "";
+  std::function<void(Ui*, Memory*)> go = {};
+};
+
+/// What is to be read above the hint: a warning, or what a person should not forget.
+struct Notice {
   std::string words;
-  const char* button;  ///< "" for none
-  bool is_error;       ///< of the last request, not of the document: it can be closed
+  Way help;   ///< with its name on it
+  Way close;  ///< a cross
+  Icon icon = Icon::kWarning;
+  Tone tone = Tone::kWarning;
 };
 
 /// "can't write House.parti: no space left. Free some, or save elsewhere." of an Error.
@@ -23,21 +33,44 @@ std::string Sentence(const Error& error) {
   return words;
 }
 
-std::vector<Warning> WarningsOf(Ui* ui, const Memory& memory) {
+void CloseMessage(Ui* ui, Memory* memory) {
+  const bool failed = ui->view().session && ui->view().session->last_error;
+  if (ui->complaint().empty() && failed) memory->dismissed = ui->view().session->last_error->number;
+  ui->DropComplaint();
+}
+
+void SaveElsewhere(Ui*, Memory* memory) { memory->Toggle(Sheet::kSaveAs, memory->layout.title); }
+
+void LeaveThem(Ui* ui, Memory*) { ui->Send(*ui->view().session->last_error->giving_up); }
+
+void ActOnAnything(Ui* ui, Memory*) { ui->Send(Command(SetQuery{SetQuery::kNone})); }
+
+std::vector<Notice> NoticesOf(Ui* ui, const Memory& memory) {
   const PanelView& view = ui->view();
-  std::vector<Warning> warnings;
+  const Way close{"Close the message", CloseMessage};
+  std::vector<Notice> notices;
   if (!ui->complaint().empty()) {
-    warnings.push_back({Sentence({ErrorCode::kBadText, ui->complaint()}), "", true});
+    notices.push_back({Sentence({ErrorCode::kBadText, ui->complaint()}), {}, close});
   }
-  if (!view.session) return warnings;
+  if (!view.session) return notices;
   const DocumentStatus& document = view.session->document;
-  if (document.trouble) warnings.push_back({Sentence(*document.trouble), "Save elsewhere", false});
+  if (document.trouble) {
+    notices.push_back({Sentence(*document.trouble), {"Save elsewhere", SaveElsewhere}, {}});
+  }
   const auto& failed = view.session->last_error;
   const bool is_news = failed && !failed->mended && failed->number != memory.dismissed;
   if (ui->complaint().empty() && is_news) {
-    warnings.push_back({Sentence(failed->error), failed->giving_up ? "Leave them" : "", true});
+    const Way leave = failed->giving_up ? Way{"Leave them", LeaveThem} : Way{};
+    notices.push_back({Sentence(failed->error), leave, close});
   }
-  return warnings;
+  if (const auto& query = view.session->state->sketch.query) {
+    notices.push_back({"What you draw acts on " + grammar::ReadingOf(*query) + ".",
+                       {},
+                       {"Act on anything again", ActOnAnything},
+                       Icon::kSelect,
+                       Tone::kAccent});
+  }
+  return notices;
 }
 
 /// How the document is doing, in words.
@@ -60,19 +93,17 @@ Doing DoingOf(const PanelView& view) {
   return {Icon::kCheck, Tone::kQuiet, document.named ? "Saved" : "Saved as a draft"};
 }
 
-float ButtonWidth(Ui* ui, const Warning& warning) {
-  return *warning.button ? ui->TextWidth(warning.button, Letter::kBody) + ui->U(24) : 0;
+/// Room for the words of a notice.
+float WordsWidth(Ui* ui, const Notice& notice, float width) {
+  const float help =
+      *notice.help.name ? ui->TextWidth(notice.help.name, Letter::kBody) + ui->U(24) : 0;
+  const float close = *notice.close.name ? ui->U(kMeasures.target) : 0;
+  return width - ui->U(44 + 16) - help - close;
 }
 
-/// Room for the words of a warning.
-float WordsWidth(Ui* ui, const Warning& warning, float width) {
-  return width - ui->U(44 + 16) - ButtonWidth(ui, warning) -
-         (warning.is_error ? ui->U(kMeasures.target) : 0);
-}
-
-float HeightOf(Ui* ui, const Warning& warning, float width) {
+float HeightOf(Ui* ui, const Notice& notice, float width) {
   const float words =
-      ui->Paragraph(warning.words, {0, 0, WordsWidth(ui, warning, width), 0}, {}, false);
+      ui->Paragraph(notice.words, {0, 0, WordsWidth(ui, notice, width), 0}, {}, false);
   return std::max(ui->U(kMeasures.target + 8), words + ui->U(16));
 }
 
@@ -91,85 +122,30 @@ float HintHeight(Ui* ui, float width) {
 
 float SheetWidth(Ui* ui, float room) { return std::min(room, ui->U(760)); }
 
-/// The button that helps.
-void DrawRemedy(Ui* ui, Memory* memory, const Warning& warning, Box row) {
-  const Box box = row.Inset(0, (row.height() - ui->U(kMeasures.target)) / 2);
-  const ButtonLook look{.name = warning.button, .label = warning.button, .ground = Ground::kAccent};
-  if (!ui->Button(look, box).pressed) return;
-  if (warning.is_error) {
-    ui->Send(*ui->view().session->last_error->giving_up);
-  } else {
-    memory->Toggle(Sheet::kSaveAs, memory->layout.title);
-  }
-}
-
-void DrawClose(Ui* ui, Memory* memory, Box box) {
-  if (ui->Button({.name = "Close the message", .icon = Icon::kClose},
-                 box.Inset(0, (box.height() - ui->U(kMeasures.target)) / 2))
-          .pressed) {
-    const bool failed = ui->view().session && ui->view().session->last_error;
-    if (ui->complaint().empty() && failed)
-      memory->dismissed = ui->view().session->last_error->number;
-    ui->DropComplaint();
-  }
-}
-
-void DrawWarning(Ui* ui, Memory* memory, const Warning& warning, Box row) {
+void DrawNotice(Ui* ui, Memory* memory, const Notice& notice, Box row) {
   ui->Hairline(row);
-  ui->Picture(Icon::kWarning, row.CutLeft(ui->U(44)), Tone::kWarning, Ground::kPanel);
-  const float words_width = WordsWidth(ui, warning, row.width() + ui->U(44));
+  const float words_width = WordsWidth(ui, notice, row.width());
+  ui->Picture(notice.icon, row.CutLeft(ui->U(44)), notice.tone, Ground::kPanel);
   Box words = row.CutLeft(words_width, ui->U(8));
-  const float height = ui->Paragraph(warning.words, words, {}, false);
+  const float height = ui->Paragraph(notice.words, words, {}, false);
   words.y0 += (words.height() - height) / 2;
-  ui->Paragraph(warning.words, words, {});
+  ui->Paragraph(notice.words, words, {});
   row.x1 -= ui->U(4);
-  const Box close = warning.is_error ? row.CutRight(ui->U(kMeasures.target)) : Box();
-  if (*warning.button) DrawRemedy(ui, memory, warning, row);
-  if (warning.is_error) DrawClose(ui, memory, close);
-}
-
-/// What the next sketch acts on, where that was chosen; else "".
-std::string ChosenOf(const PanelView& view) {
-  if (!view.session || !view.session->state->sketch.query) return "";
-  return "What you draw acts on " + grammar::ReadingOf(*view.session->state->sketch.query) + ".";
-}
-
-Box ChosenRoom(Ui* ui, float width) {
-  return {0, 0, width - ui->U(44 + 8 + 8 + kMeasures.target), 0};
-}
-
-float ChosenHeight(Ui* ui, float width) {
-  const std::string words = ChosenOf(ui->view());
-  if (words.empty()) return 0;
-  const float height = ui->Paragraph(words, ChosenRoom(ui, width), {}, false);
-  return std::max(ui->U(kMeasures.target + 8), height + ui->U(16));
-}
-
-void DrawChosen(Ui* ui, Box row) {
-  const std::string words = ChosenOf(ui->view());
-  if (words.empty()) return;
-  const Box room = ChosenRoom(ui, row.width());
-  const float height = ui->Paragraph(words, room, {}, false);
-  ui->Hairline(row);
-  ui->Picture(Icon::kSelect, row.CutLeft(ui->U(44)), Tone::kAccent, Ground::kPanel);
-  row.x1 -= ui->U(4);
-  const float side = ui->U(kMeasures.target);
-  const Box box = row.CutRight(side).Inset(0, (row.height() - side) / 2);
-  if (ui->Button({.name = "Act on anything again", .icon = Icon::kClose}, box).pressed) {
-    ui->Send(Command(SetQuery{SetQuery::kNone}));
-  }
-  row.y0 += (row.height() - height) / 2;
-  ui->Paragraph(words, row.CutLeft(room.x1));
+  row = row.Inset(0, (row.height() - ui->U(kMeasures.target)) / 2);
+  const Way &help = notice.help, &close = notice.close;
+  const Box cross = *close.name ? row.CutRight(ui->U(kMeasures.target)) : Box();
+  const ButtonLook look{.name = help.name, .label = help.name, .ground = Ground::kAccent};
+  if (*help.name && ui->Button(look, row).pressed) help.go(ui, memory);
+  if (!*close.name) return;
+  if (ui->Button({.name = close.name, .icon = Icon::kClose}, cross).pressed) close.go(ui, memory);
 }
 
 }  // namespace
 
 float StatusHeight(Ui* ui, const Memory& memory, float width) {
   const float sheet = SheetWidth(ui, width);
-  float height = HintHeight(ui, sheet) + ChosenHeight(ui, sheet);
-  for (const Warning& warning : WarningsOf(ui, memory)) {
-    height += HeightOf(ui, warning, sheet);
-  }
+  float height = HintHeight(ui, sheet);
+  for (const Notice& notice : NoticesOf(ui, memory)) height += HeightOf(ui, notice, sheet);
   return height;
 }
 
@@ -178,10 +154,9 @@ void DrawStatus(Ui* ui, Memory* memory) {
   const float width = SheetWidth(ui, room.width());
   Box rest = BoxAt(room.middle_x() - width / 2, room.y0, width, room.height());
   ui->BeginSheet("Status", rest);
-  for (const Warning& warning : WarningsOf(ui, *memory)) {
-    DrawWarning(ui, memory, warning, rest.CutTop(HeightOf(ui, warning, width)));
+  for (const Notice& notice : NoticesOf(ui, *memory)) {
+    DrawNotice(ui, memory, notice, rest.CutTop(HeightOf(ui, notice, width)));
   }
-  DrawChosen(ui, rest.CutTop(ChosenHeight(ui, width)));
   const Doing doing = DoingOf(ui->view());
   Box right = rest.CutRight(DoingWidth(ui));
   ui->Picture(doing.icon, right.CutLeft(ui->U(36)), doing.tone, Ground::kPanel);

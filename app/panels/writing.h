@@ -6,11 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "app/file_ending.h"
 #include "app/panels/form.h"
 
 namespace parti::app::panels {
-
-inline constexpr std::string_view kDocumentEnding = ".parti";
 
 /// `name`, or the first of "name 2", "name 3", … that is free in the folder with this ending; "" is
 /// none. Without the ending.

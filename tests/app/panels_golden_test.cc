@@ -36,6 +36,14 @@ class PanelsGolden : public ::testing::TestWithParam<PictureCase> {
   }
   /// In the panels' units.
   void Resize(const Vec2& size) { panels_.view.size_px = size * GetParam().scale; }
+  /// A name is being given to a view, where there is no keyboard.
+  void TypeOnTheScreen() {
+    panels_.view.session = WholeHouse();
+    panels_.view.has_keys = false;
+    Resize({800, 600});
+    panels_.Tap("Menu/Views");
+    panels_.Tap("Views/Keep this view as");
+  }
   /// Of the whole window, or of the sheets named.
   void Look(const std::string& name, const std::vector<std::string>& sheets = {},
             double margin = 14) {
@@ -198,21 +206,13 @@ TEST_P(PanelsGolden, Trouble) {
 }
 
 TEST_P(PanelsGolden, Keyboard) {
-  panels_.view.session = WholeHouse();
-  panels_.view.has_keys = false;
-  Resize({800, 600});
-  panels_.Tap("Menu/Views");
-  panels_.Tap("Views/Keep this view as");
+  TypeOnTheScreen();
   panels_.Tap("Keyboard/s");
   Look("keyboard");
 }
 
 TEST_P(PanelsGolden, Signs) {
-  panels_.view.session = WholeHouse();
-  panels_.view.has_keys = false;
-  Resize({800, 600});
-  panels_.Tap("Menu/Views");
-  panels_.Tap("Views/Keep this view as");
+  TypeOnTheScreen();
   panels_.Tap("Keyboard/Signs");
   panels_.Tap("Keyboard/More signs");
   Look("signs", {"Keyboard"});

@@ -164,6 +164,20 @@ void Move(Desk* desk, int frames, Times* times) {
   }
 }
 
+/// Moves for so long, while one derivation follows the other: how many were posted.
+int MoveBeside(Desk* desk, double seconds, void (Desk::*derive)(), Times* times) {
+  int derived = 0;
+  const double until = Seconds(CLOCK_MONOTONIC) + seconds;
+  while (Seconds(CLOCK_MONOTONIC) < until) {
+    if (derive != nullptr && !desk->Derives()) {
+      (desk->*derive)();
+      ++derived;
+    }
+    Move(desk, 60, times);
+  }
+  return derived;
+}
+
 void Report(benchmark::State& state, const Times& times) {
   state.SetLabel(std::string("LP_NUM_THREADS=") + std::getenv("LP_NUM_THREADS"));
   CHECK(!times.cpu_ms.empty(), "something was drawn");
@@ -204,23 +218,13 @@ void BenchApplicationBesideDerivations(benchmark::State& state) {
   std::vector<double> alone, beside;
   Times all_beside;
   int derived = 0;
-  const auto draw_3_s = [&](bool derive) {
-    Times times;
-    const double until = Seconds(CLOCK_MONOTONIC) + 3;
-    while (Seconds(CLOCK_MONOTONIC) < until) {
-      if (derive && !desk.Derives()) {
-        desk.DeriveTooMuch();
-        ++derived;
-      }
-      Move(&desk, 60, &times);
-    }
-    return times;
-  };
   for (auto _ : state) {
     for (int run = 0; run < 5; ++run) {
       desk.Rest();
-      alone.push_back(Times::At(draw_3_s(false).cpu_ms, 0.5));
-      const Times busy = draw_3_s(true);
+      Times quiet, busy;
+      MoveBeside(&desk, 3, nullptr, &quiet);
+      alone.push_back(Times::At(quiet.cpu_ms, 0.5));
+      derived += MoveBeside(&desk, 3, &Desk::DeriveTooMuch, &busy);
       beside.push_back(Times::At(busy.cpu_ms, 0.5));
       for (const auto member : {&Times::cpu_ms, &Times::wall_ms}) {
         (all_beside.*member)
@@ -264,16 +268,7 @@ void BenchApplicationWhereTheModelChanges(benchmark::State& state) {
   desk.Turn();
   Times times;
   int derived = 0;
-  for (auto _ : state) {
-    const double until = Seconds(CLOCK_MONOTONIC) + 10;
-    while (Seconds(CLOCK_MONOTONIC) < until) {
-      if (!desk.Derives()) {
-        desk.DeriveOther();
-        ++derived;
-      }
-      Move(&desk, 60, &times);
-    }
-  }
+  for (auto _ : state) derived += MoveBeside(&desk, 10, &Desk::DeriveOther, &times);
   Report(state, times);
   state.counters["derivations"] = derived;
 }
