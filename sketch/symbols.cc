@@ -63,6 +63,7 @@ void NameParts(const std::vector<std::vector<size_t>>& equal, bool upright,
     parts[i].symbol = NameOfPart(i, parts.size(), upright);
   }
   for (const std::vector<size_t>& group : equal) {
+    if (group.size() == parts.size()) parts[group.front()].symbol = "Part";
     for (const size_t i : group) {
       if (i < parts.size()) parts[i].symbol = parts[group.front()].symbol;
     }

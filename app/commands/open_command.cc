@@ -224,10 +224,14 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   return logged;
 }
 
-/// What a new user is to try, for whoever started the program from a terminal.
-void Greet(const Display& display) {
-  Say(fmt::format("parti: {}. Draw a closed outline on the ground, then a line up from it.",
-                  display.Description()));
+/// Where it draws and what a new user is to try, for whoever started the program from a terminal.
+void Greet(const Display& display, const Options& options) {
+  const bool for_hands = options.play.empty() && options.screenshot.empty();
+  const char* first = !for_hands || IsThere(options.file) ? ""
+                      : options.lot.empty()
+                          ? " Draw a closed outline on the ground, then a line up from it."
+                          : " Draw a line up from the lot: it becomes a building.";
+  Say(fmt::format("parti: {}.{}", display.Description(), first));
 }
 
 /// What the command line has besides; kDone where that is nothing but the mark before file names.
@@ -263,7 +267,7 @@ int Open(const Options& options, const std::vector<std::string>& commands,
   if (!kind) return Report(kind.error());
   auto display = OpenDisplay(*kind);
   if (!display) return Report(display.error());
-  Greet(**display);
+  Greet(**display, options);
   SessionThreadOptions with;
   if (IsThere(options.file)) with.path = options.file;
   SessionThread session(with);
@@ -285,8 +289,7 @@ void AddOpenCommand(CLI::App& app, Run* run) {
   app.footer(
       "Examples:\n  parti house.parti\n  parti replay assets/drawings/house.pen --png a.png");
   app.add_option("FILE", options->file, "a document; a new one where there is none");
-  app.add_option("--display", options->display,
-                 "kms, x11, wayland, offscreen, or best: what there is");
+  app.add_option("--display", options->display, "x11, kms, offscreen, or best: what there is");
   app.add_option("--lot", options->lot, "the LOT to begin on, where the document has none");
   app.add_option("--play", options->play, "a drawing to play as if its tablet were there");
   app.add_option("--screenshot", options->screenshot,

@@ -92,8 +92,12 @@ constexpr Drawing kDrawings[] = {
     {Icon::kComp,
      "m 3.5 9 l 3.5 18 l 10 21 l 10 12 z m 13.5 12.5 l 13.5 21 l 20.5 18 l 20.5 9.5 z "
      "m 4.5 5.5 l 12 2.5 l 19.5 5.5 l 12 8.5 z"},
-    {Icon::kSplit, "m 5 3.5 l 19 3.5 l 19 20.5 l 5 20.5 z m 5 15.5 l 19 15.5 m 5 8 l 19 8"},
-    {Icon::kRepeat,
+    {Icon::kSplitUpward, "m 5 3.5 l 19 3.5 l 19 20.5 l 5 20.5 z m 5 15.5 l 19 15.5 m 5 8 l 19 8"},
+    {Icon::kSplitAcross, "m 3.5 5 l 20.5 5 l 20.5 19 l 3.5 19 z m 8 5 l 8 19 m 15.5 5 l 15.5 19"},
+    {Icon::kRepeatUpward,
+     "m 5 3.5 l 19 3.5 l 19 20.5 l 5 20.5 z m 5 7.75 l 19 7.75 m 5 12 l 19 12 m 5 16.25 l 19 "
+     "16.25"},
+    {Icon::kRepeatAcross,
      "m 3.5 5 l 20.5 5 l 20.5 19 l 3.5 19 z m 7.75 5 l 7.75 19 m 12 5 l 12 19 m 16.25 5 l 16.25 "
      "19"},
     {Icon::kOffset, "m 3.5 4.5 l 20.5 4.5 l 20.5 19.5 l 3.5 19.5 z m 8 9 l 16 9 l 16 15 l 8 15 z"},

@@ -51,11 +51,15 @@ Layout LayoutOf(const LayoutNeeds& needs) {
   Box side = rest.CutLeft(columns * one + gap, pad);
   layout.tools = side.CutTop(static_cast<float>(rows) * one + gap);
 
+  layout.sheets = layout.room;
+  if (layout.room.x1 - rest.x0 >= u(kMeasures.sheet)) layout.sheets.x0 = rest.x0;
+
   Box column = rest;
   layout.rules = column.CutRight(std::min(u(kMeasures.column), column.width()), pad);
   layout.free = needs.rules_shown && column.width() > u(300) ? column : rest;
   if (needs.left_handed) {
-    for (Box* box : {&layout.title, &layout.menu, &layout.tools, &layout.rules, &layout.free}) {
+    for (Box* box : {&layout.title, &layout.menu, &layout.tools, &layout.sheets, &layout.rules,
+                     &layout.free}) {
       *box = Mirrored(*box, window.x1);
     }
   }

@@ -15,6 +15,7 @@ struct Layout {
   Box menu;   ///< the buttons that open sheets
   Box tools;  ///< as tall as its buttons need
   int tool_columns = 1;
+  Box sheets;  ///< where sheets may lie: beside the tools, if the window is that wide
   Box rules;   ///< tree and node; over the drawing where the window is narrow
   Box bottom;  ///< what status.h may take: as high as it needs, from below
   Box free;    ///< what is left between them, for cards beside the pen

@@ -22,7 +22,7 @@ void Draw(Ui* ui, Memory* memory, const Content& content) {
   const float pad = ui->U(kMeasures.gap + 2), width = ui->U(kMeasures.sheet);
   Form measured(ui, {0, 0, width - 2 * pad, 0}, false);
   content.rows(ui, memory, &measured);
-  const Box room = memory->layout.room;
+  const Box& room = memory->layout.sheets;
   const Box box = SheetAt(memory->opened_at, width, measured.height() + 2 * pad, room, ui->U(8));
   ui->BeginSheet(content.name, box);
   Box list = ui->BeginList("list", box.Inset(pad), measured.height());

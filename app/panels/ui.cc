@@ -383,12 +383,14 @@ void Ui::DrawNote() {
   const Box beside = BoxAt(x, note_beside_.middle_y() - height / 2, width, height);
   const Box under =
       BoxAt(note_beside_.middle_x() - width / 2, note_beside_.y1 + U(8), width, height);
-  DrawNoteIn(note_, Within(upper ? under : beside, window().Inset(U(4))));
+  DrawNoteIn(note_, Within(upper ? under : beside, window().Inset(U(4))), *palette_);
 }
 
 void Ui::DrawPenWord() {
   const PanelPen& pen = view_->pen;
   if (pen.word.empty() || !pen.position_px) return;
+  // A sheet came up under a resting pen.
+  if (!pen.down && output_->IsOverSheet(*pen.position_px)) return;
   const Box room = window().Inset(U(4));
   const std::string word = Elided(pen.word, Letter::kSmall, room.width() - U(20));
   const float width = TextWidth(word, Letter::kSmall) + U(20);
@@ -396,24 +398,26 @@ void Ui::DrawPenWord() {
   for (const PanelTarget& target : output_->targets) {
     if (target.visible) controls.push_back(At(target));
   }
-  DrawNoteIn(word, WordBeside(*pen.position_px, width, U(28), room, view_->settings.left_handed,
-                              scale_, controls));
+  DrawNoteIn(word,
+             WordBeside(*pen.position_px, width, U(28), room, view_->settings.left_handed, scale_,
+                        controls),
+             PaletteOf(Theme::kLight));  // the drawing is paper in both themes
 }
 
-void Ui::DrawNoteIn(const std::string& text, const Box& box) {
+void Ui::DrawNoteIn(const std::string& text, const Box& box, const Palette& palette) {
   ImDrawList* over = ImGui::GetForegroundDrawList();
-  over->AddRectFilled(Low(box), High(box), palette_->note, U(kMeasures.small_radius));
+  over->AddRectFilled(Low(box), High(box), palette.note, U(kMeasures.small_radius));
   const ImFont* font = FontOf(Letter::kSmall);
   over->AddText(font, font->FontSize,
                 {std::floor(box.x0 + U(10)), std::floor(box.middle_y() - font->FontSize / 2)},
-                palette_->on_note, text.data(), text.data() + text.size());
+                palette.on_note, text.data(), text.data() + text.size());
   output_->texts.push_back({text,
                             {box.x0 + U(10), box.middle_y() - font->FontSize / 2},
                             {box.x1 - U(10), box.middle_y() + font->FontSize / 2},
                             {box.x0, box.y0},
                             {box.x1, box.y1},
-                            palette_->on_note,
-                            palette_->note});
+                            palette.on_note,
+                            palette.note});
 }
 
 ImDrawList* Ui::list() const { return ImGui::GetWindowDrawList(); }

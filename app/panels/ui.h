@@ -183,7 +183,7 @@ class Ui {
   NumberWish Typed(const std::string& text, double before);
   NumberWish Drag(const std::string& full, const NumberLook& look, const Press& press);
   void DrawNote();
-  void DrawNoteIn(const std::string& text, const Box& box);
+  void DrawNoteIn(const std::string& text, const Box& box, const Palette& palette);
   ImFont* FontOf(Letter letter) const;
   std::vector<std::string> Wrapped(std::string_view text, Letter letter, float width) const;
   std::string Elided(std::string_view text, Letter letter, float width) const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace parti::app::panels {
@@ -161,13 +162,15 @@ struct Row {
   std::string_view name;
   Icon icon;
   std::string (*words)(const Action&);
+  std::optional<Icon> upward = {};  ///< where it differs
 };
 
 constexpr Row kRows[] = {
     {"extrude", Icon::kExtrude, Extruded},
-    {"split", Icon::kSplit,
-     [](const Action& a) { return fmt::format("Split {}: {}", Along(a), Parts(a)); }},
-    {"repeat", Icon::kRepeat, Repeated},
+    {"split", Icon::kSplitAcross,
+     [](const Action& a) { return fmt::format("Split {}: {}", Along(a), Parts(a)); },
+     Icon::kSplitUpward},
+    {"repeat", Icon::kRepeatAcross, Repeated, Icon::kRepeatUpward},
     {"comp", Icon::kComp, Taken},
     {"offset", Icon::kOffset, Offset},
     {"roofHip", Icon::kOperation, [](const Action& a) { return Roof("Hip", a); }},
@@ -258,7 +261,8 @@ std::string SymbolsOf(const Action& action) {
 
 Icon IconOf(const Action& action) {
   const Row* row = RowOf(action);
-  return row ? row->icon : Icon::kOperation;
+  if (!row) return Icon::kOperation;
+  return row->upward && Along(action) == "upward" ? *row->upward : row->icon;
 }
 
 }  // namespace parti::app::panels

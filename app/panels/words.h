@@ -34,7 +34,7 @@ std::string_view NameOfComponent(std::string_view word);
 /// What it gives: "Ground, CenterFloors, TopFloor"; "" when nothing has a name.
 std::string SymbolsOf(const grammar::Action& action);
 
-/// The operation's icon; Icon::kOperation for those without one.
+/// The operation's icon, turned as its axis is; Icon::kOperation for those without one.
 Icon IconOf(const grammar::Action& action);
 
 }  // namespace parti::app::panels

@@ -418,6 +418,7 @@ TEST_F(PanelsSheets, CardsLeaveHandlesClear) {
 TEST_F(PanelsSheets, TheWordBesideThePenCoversNoControl) {
   HoldElement(&panels_.view);
   panels_.view.pen.word = "1.60 m wide, 2.50 m high";
+  panels_.view.pen.down = true;
   int covered = 0;
   for (int x = 20; x < 1600; x += 60) {
     for (int y = 20; y < 1000; y += 40) {
@@ -434,6 +435,15 @@ TEST_F(PanelsSheets, TheWordBesideThePenCoversNoControl) {
     }
   }
   EXPECT_EQ(covered, 0);
+}
+
+TEST_F(PanelsSheets, UnderASheetThatComesUpAPenThatHoversHasNoWord) {
+  panels_.view.pen = {Vec2(300, 200), false, "corner of Frame"};
+  EXPECT_TRUE(panels_.Says("corner of Frame"));
+  panels_.Tap("Title/Document");
+  EXPECT_FALSE(panels_.Says("corner of Frame"));
+  panels_.view.pen.down = true;
+  EXPECT_TRUE(panels_.Says("corner of Frame")) << "the sheet closes";
 }
 
 TEST_F(PanelsSheets, FiguresFollowThePenThatDrags) {
