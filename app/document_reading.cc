@@ -134,6 +134,11 @@ Result<int> VersionOf(Database* database, const std::string& path) {
   const auto id = database->Pragma("application_id");
   if (!id) return Fail(id);
   if (*id != kDocumentApplicationId) {
+    const auto pages = database->Pragma("page_count");
+    if (pages && *pages == 0) {
+      return Fail(ErrorCode::kDamagedFile, fmt::format("{} is empty: it holds no document", path),
+                  "delete it to begin a new one of its name, or open another");
+    }
     return Fail(ErrorCode::kDamagedFile, fmt::format("{} is a database, but not Parti's", path),
                 "open a .parti document");
   }

@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.h"
 #include "app/document.h"
+#include "app/file_ending.h"
 #include "app/usable_lots.h"
 #include "base/note.h"
 #include "grammar/rules/rule_workers.h"
@@ -178,7 +179,9 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
   chosen.count = options.threads;
   std::vector<grammar::LotNotes> notes;
   chosen.notes = &notes;
-  const bool is_document = LooksLikeDocument(options.file);
+  // One that is empty or damaged from its first byte is no text either.
+  const bool is_document =
+      LooksLikeDocument(options.file) || EndingOf(options.file) == kDocumentEnding;
   const std::string extra = is_document ? OptionOfTexts(options) : "";
   if (!extra.empty()) {
     return Failed({Error{ErrorCode::kBadArguments,

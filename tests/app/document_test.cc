@@ -164,6 +164,11 @@ TEST_F(DocumentTest, AnotherProgramsDatabaseIsRefused) {
   EXPECT_THAT(Refused().message, HasSubstr("not Parti's"));
 }
 
+TEST_F(DocumentTest, AnEmptyFileIsCalledSo) {
+  ASSERT_TRUE(WriteFile(path_, ""));
+  EXPECT_THAT(Refused().message, HasSubstr("tower.parti is empty"));
+}
+
 TEST_F(DocumentTest, ANewerFormatIsRefusedAndSaysWhatToDo) {
   Change("PRAGMA user_version = 99");
   const Error error = Refused();

@@ -55,6 +55,14 @@ TEST(QueryCommand, TheLotIsAShapeThatNoOperationMade) {
       nlohmann::json::parse(R"([{"id":".","symbol":"Lot","tags":[],"operation":"","leaf":true}])"));
 }
 
+TEST(QueryCommand, WhatIsNamedAsDocumentsAreIsNotReadAsText) {
+  const std::string path = tests::TestFolder() + "/house.parti";
+  ASSERT_TRUE(WriteFile(path, ""));
+  EXPECT_THAT(RunParti({"query", path, ".Lot"}).errors, HasSubstr("house.parti is empty"));
+  ASSERT_TRUE(WriteFile(path, kHouse));
+  EXPECT_THAT(RunParti({"query", path, ".Lot"}).errors, HasSubstr("no Parti document"));
+}
+
 TEST(QueryCommand, RunsOnTheGivenLots) {
   const std::string house = File(kHouse);
   EXPECT_EQ(RunParti({"query", house, ".Floor", "--lot", "poly(0,0 9,0 9,9)"}).output,
