@@ -26,6 +26,15 @@ bool HasLeftOver(const Document& document) {
                      [](const PostedRequest& request) { return request.begun > 0; });
 }
 
+/// Whether this is all that was done where a program was started on a lot and nobody drew.
+bool Begins(const std::string& command) {
+  return command.starts_with("lot ") || command.starts_with("view ");
+}
+bool Begins(const DocumentChange& change) {
+  return !change.stroke && (change.command.empty() || Begins(change.command));
+}
+bool Begins(const KeptRequest& request) { return Begins(request.request.command); }
+
 }  // namespace
 
 void ApplyTo(const DocumentChange& change, Document* document) {
@@ -48,6 +57,16 @@ void ApplyTo(const DocumentChange& change, Document* document) {
 
 DocumentKeeper::DocumentKeeper(UserFolders folders) : folders_(std::move(folders)) {}
 
+DocumentKeeper::~DocumentKeeper() { Leave(); }
+
+void DocumentKeeper::Leave() {
+  const bool goes = is_own_draft_ && only_begun_ && unwritten_.empty() && file_ && file_->IsThere();
+  file_.reset();
+  if (goes) std::remove(status_.path.c_str());
+  is_own_draft_ = false;
+  only_begun_ = true;
+}
+
 Result<void> DocumentKeeper::MayLeave(bool give_up) const {
   if (give_up || status_.unwritten == 0) return {};
   return Fail(ErrorCode::kFile,
@@ -58,7 +77,7 @@ Result<void> DocumentKeeper::MayLeave(bool give_up) const {
 
 Result<void> DocumentKeeper::New(Document start, bool give_up) {
   if (auto may = MayLeave(give_up); !may) return may;
-  file_.reset();
+  Leave();
   unwritten_.clear();
   status_ = {};
   start_ = std::move(start);
@@ -106,7 +125,7 @@ Result<void> DocumentKeeper::WriteInto(const std::string& path, Document documen
 
 /// `document` is what the file holds now.
 void DocumentKeeper::GoOnIn(const std::string& path, Result<DocumentFile> file, Document document) {
-  file_.reset();
+  Leave();
   unwritten_.clear();
   status_ = DocumentStatus{WholePath(path), !IsDraft(folders_.data, path)};
   if (file) {
@@ -166,6 +185,7 @@ Result<void> DocumentKeeper::MakeDraft() {
   }
   file_ = std::move(*file);
   status_.path = *path;
+  is_own_draft_ = true;
   return {};
 }
 
@@ -175,6 +195,8 @@ void DocumentKeeper::BeginLeftOver(int64_t number) {
 
 void DocumentKeeper::Keep(const std::vector<KeptRequest>& requests) {
   if (status_.read_only) return;
+  only_begun_ &= std::all_of(requests.begin(), requests.end(),
+                             [](const KeptRequest& request) { return Begins(request); });
   if (!file_ && !status_.named) {
     if (const auto made = MakeDraft(); !made) return Note(made);
   }
@@ -230,6 +252,8 @@ void DocumentKeeper::Apply(std::vector<DocumentChange> changes) {
     Acknowledge(changes.back().number);
     return;
   }
+  only_begun_ &= std::all_of(changes.begin(), changes.end(),
+                             [](const DocumentChange& change) { return Begins(change); });
   std::move(changes.begin(), changes.end(), std::back_inserter(unwritten_));
   if (status_.read_only) {
     CountUnwritten();

@@ -19,6 +19,7 @@ namespace parti::app {
 class DocumentKeeper {
  public:
   explicit DocumentKeeper(UserFolders folders);
+  ~DocumentKeeper();  ///< leaves the open document, as New does
 
   const DocumentStatus& status() const { return status_; }
   /// What was done up to this number is on the disk.
@@ -29,7 +30,8 @@ class DocumentKeeper {
   Result<void> MayLeave(bool give_up) const;
 
   /// A new document without a name, which is `start` now. It gets a file, a draft, with the first
-  /// change.
+  /// change. The one that was open is left: a draft of its own in which nothing was done but begin,
+  /// with a lot or a view, goes away.
   /// errors  those of MayLeave.
   Result<void> New(Document start, bool give_up);
 
@@ -72,6 +74,7 @@ class DocumentKeeper {
   void Tidy();
 
  private:
+  void Leave();
   Result<void> MakeDraft();
   Result<void> Write();
   Result<void> WriteInto(const std::string& path, Document document);
@@ -85,6 +88,8 @@ class DocumentKeeper {
   DocumentStatus status_;
   int64_t acknowledged_ = 0;
   std::optional<DocumentFile> file_;
+  bool is_own_draft_ = false;  ///< file_ was made by MakeDraft
+  bool only_begun_ = true;     ///< nothing was done since New but give it a lot and look
   /// The document as it was before `unwritten_`, where there is no file to read it from.
   Document start_;
   std::vector<DocumentChange> unwritten_;

@@ -90,8 +90,35 @@ TEST_F(DocumentKeeperTest, SavingADraftUnderANameMovesIt) {
   EXPECT_THAT(RecentFiles(folders_.state), ElementsAre(path_));
 }
 
+TEST_F(DocumentKeeperTest, ADraftThatWasOnlyBegunGoesWhenItIsLeft) {
+  Do("lot rect(24,16)");
+  Do("view eye 9 14 40 target 10 5 7 fov 40 size 1600 1000");
+  EXPECT_THAT(DraftsIn(folders_.data), SizeIs(1)) << "a kill now costs nothing";
+  ASSERT_TRUE(keeper_.New(DocumentOf(Session()), false));
+  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty());
+  {
+    DocumentKeeper other(folders_);
+    ASSERT_TRUE(other.New(DocumentOf(Session()), false));
+    other.Keep({{1, {"lot rect(24,16)"}}});
+    EXPECT_THAT(DraftsIn(folders_.data), SizeIs(1));
+  }
+  EXPECT_THAT(DraftsIn(folders_.data), IsEmpty()) << "the program ended";
+}
+
+TEST_F(DocumentKeeperTest, ADraftInWhichAnythingWasDoneStaysWhenItIsLeft) {
+  Do("lot rect(24,16)");
+  Do("node .Lot --> extrude(9) Mass");
+  Do("undo");
+  ASSERT_TRUE(keeper_.New(DocumentOf(session_), false));
+  EXPECT_THAT(DraftsIn(folders_.data), SizeIs(1));
+  keeper_.Keep({{1, {"", Stroke{{{1, 2}, 0}}}}});
+  ASSERT_TRUE(keeper_.New(DocumentOf(session_), false));
+  EXPECT_THAT(DraftsIn(folders_.data), SizeIs(2)) << "a stroke that waits to be executed";
+}
+
 TEST_F(DocumentKeeperTest, ADraftThatIsOpenedAgainIsStillOneAndMoves) {
   Do("lot rect(20,14)");
+  Do(kNode);
   const std::string draft = keeper_.status().path;
   fs::create_directory_symlink(folders_.data, folder_ + "/link");
   for (const std::string& path : {draft, folder_ + "/link/drafts/" + NameOf(draft)}) {
@@ -102,7 +129,7 @@ TEST_F(DocumentKeeperTest, ADraftThatIsOpenedAgainIsStillOneAndMoves) {
   SaveAs(path_);
   EXPECT_TRUE(keeper_.status().named);
   EXPECT_THAT(DraftsIn(folders_.data), IsEmpty()) << "no stale twin";
-  ExpectWhole(path_, 1);
+  ExpectWhole(path_, 2);
 }
 
 TEST_F(DocumentKeeperTest, ADraftThatAnotherInstanceHasOpenIsLeftToIt) {
