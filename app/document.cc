@@ -185,6 +185,9 @@ Result<void> ReplaceDocument(const Document& document, const std::string& path) 
     FlushFolderOf(target);
   } else {
     std::remove(temporary.c_str());
+    std::string& message = done.error().message;  // the name that was asked for
+    const size_t at = message.find(temporary);
+    if (at != std::string::npos) message.replace(at, temporary.size(), path);
   }
   return done;
 }

@@ -231,5 +231,12 @@ TEST_F(DocumentTest, AFailedSaveLeavesTheOldDocument) {
   EXPECT_TRUE(ReadFile(folder + "/x"));
 }
 
+TEST_F(DocumentTest, WhatCannotBeWrittenHasTheNameThatWasAskedFor) {
+  const std::string path = path_ + ".folder/that/is/not/there.parti";
+  const auto saved = SaveDocument(DocumentOf(Tower()), path);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr("there.parti: "));
+}
+
 }  // namespace
 }  // namespace parti::app
