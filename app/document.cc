@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "app/document_migration.h"
 #include "app/document_record.h"
 #include "app/document_values.h"
+#include "base/text_file.h"
 
 namespace parti::app {
 namespace {
@@ -88,17 +90,27 @@ void FlushFolderOf(const std::string& path) {
   ::close(fd);
 }
 
-/// The file that a link means, so that links stay links.
-std::string BehindLinks(const std::string& path) {
-  std::error_code code;
-  const fs::path target = fs::canonical(path, code);
-  return code ? path : target.string();
+/// Takes errno as the reason; call it at once.
+tl::unexpected<Error> CantWrite(const std::string& path, const char* hint) {
+  const int reason = errno;
+  return Fail(ErrorCode::kFile, fmt::format("can't write {}: {}", path, std::strerror(reason)),
+              hint);
+}
+
+/// Whether a document may take the place of what is there: no folder, device or pipe, and no file
+/// that may not be written.
+Result<void> MayReplace(const std::string& path, const struct stat& old) {
+  if (!S_ISREG(old.st_mode)) {
+    return Fail(ErrorCode::kFile, fmt::format("can't write {}: it is not a regular file", path),
+                "give a name of its own to a document");
+  }
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0) return {};
+  return CantWrite(path, "check that you may write it, or save it elsewhere");
 }
 
 Result<void> Rename(const std::string& from, const std::string& to) {
   if (std::rename(from.c_str(), to.c_str()) == 0) return {};
-  return Fail(ErrorCode::kFile, fmt::format("can't write {}: {}", to, std::strerror(errno)),
-              "check that the name is not a folder's");
+  return CantWrite(to, "check that the name is not a folder's");
 }
 
 Result<Document> ReadFrom(const std::string& path, Database::Mode mode) {
@@ -168,15 +180,21 @@ Result<void> SaveDocument(const Document& document, const std::string& path) {
     return Fail(ErrorCode::kFile, fmt::format("{} is open in {}", path, *holder),
                 "close it there, or save it under another name");
   }
-  SettleLog(path);
+  SettleLog(BehindLinks(path));
   return ReplaceDocument(document, path);
 }
 
 Result<void> ReplaceDocument(const Document& document, const std::string& path) {
   const std::string target = BehindLinks(path);
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (const auto may = exists ? MayReplace(path, old) : Result<void>(); !may) return may;
   const std::string temporary = fmt::format("{}.{}.tmp", target, ::getpid());
   std::remove(temporary.c_str());
   auto done = WriteNewFile(document, temporary);
+  if (done && exists && ::chmod(temporary.c_str(), old.st_mode & 07777) != 0) {
+    done = CantWrite(path, "check that you own it");
+  }
   if (done) {
     for (const char* log : kBeside) std::remove((target + log).c_str());
     done = Rename(temporary, target);
@@ -195,7 +213,8 @@ Result<void> ReplaceDocument(const Document& document, const std::string& path) 
 Result<Document> OpenDocument(const std::string& path) {
   auto document = ReadFrom(path, Database::Mode::kRead);
   if (document || document.error().code != ErrorCode::kFile || !Exists(path)) return document;
-  return HasLog(path) ? ReadFromCopy(path) : ReadFrom(path, Database::Mode::kReadAlone);
+  const std::string target = BehindLinks(path);  // logs lie beside the file, not beside a link
+  return HasLog(target) ? ReadFromCopy(target) : ReadFrom(path, Database::Mode::kReadAlone);
 }
 
 bool LooksLikeDocument(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -10,6 +11,7 @@
 #include "app/document_reading.h"
 #include "app/document_record.h"
 #include "app/document_values.h"
+#include "base/text_file.h"
 
 namespace parti::app {
 namespace {
@@ -37,11 +39,29 @@ Result<DocumentFile> DocumentFile::Open(const std::string& path) {
   return file;
 }
 
+DocumentFile::DocumentFile(std::string path, DocumentLock lock, Database database)
+    : path_(std::move(path)),
+      target_(BehindLinks(path_)),
+      lock_(std::move(lock)),
+      database_(std::move(database)) {}
+
 DocumentFile::~DocumentFile() {
-  // Another document at the same path has a log of the same name, which is not ours to remove.
-  if (!lock_.IsTaken() || !lock_.IsThere()) return;
-  // Where another process is reading, the log stays until the next time.
-  static_cast<void>(database_.Execute("PRAGMA journal_mode=DELETE"));
+  if (!lock_.IsTaken()) return;
+  if (lock_.IsThere()) {
+    // Where another process is reading, the log stays until the next time.
+    static_cast<void>(database_.Execute("PRAGMA journal_mode=DELETE"));
+  } else {
+    DropLog();
+  }
+}
+
+/// Where another file has taken the place of ours, which is gone, our log lies beside it by name,
+/// and whoever opens that file would read it into it. It goes, unless it is that file's own by now.
+/// Where nothing is at the path, it stays: put back, the file is whole with it.
+void DocumentFile::DropLog() {
+  if (!IdentityOf(path_) || DocumentLock::HolderOf(path_)) return;
+  if (!log_ || IdentityOf(target_ + "-wal") != log_) return;
+  for (const char* beside : {"-wal", "-shm"}) std::remove((target_ + beside).c_str());
 }
 
 Result<Document> DocumentFile::Read() { return ReadTables(&database_, path_); }
@@ -71,6 +91,7 @@ Result<void> DocumentFile::InTransaction(const std::function<Result<void>()>& wo
   if (!done) return done;
   done = work();
   if (done) done = database_.Execute("COMMIT");
+  if (done && !log_) log_ = IdentityOf(target_ + "-wal");
   // Some failures have rolled back already; then this one says so, and nobody needs to know.
   if (!done) static_cast<void>(database_.Execute("ROLLBACK"));
   return done;
@@ -118,7 +139,7 @@ Result<void> DocumentFile::Apply(std::span<const DocumentChange> changes) {
 
 Result<void> DocumentFile::Tidy() {
   std::error_code code;
-  if (std::filesystem::file_size(path_ + "-wal", code) < kLargeLog || code) return {};
+  if (std::filesystem::file_size(target_ + "-wal", code) < kLargeLog || code) return {};
   const auto emptied = database_.Checkpoint();
   return emptied ? Result<void>() : Fail(emptied);
 }

@@ -77,14 +77,15 @@ class DocumentFile {
   bool IsAt(const std::string& path) const { return lock_.IsAt(path); }
 
  private:
-  DocumentFile(std::string path, DocumentLock lock, Database database)
-      : path_(std::move(path)), lock_(std::move(lock)), database_(std::move(database)) {}
+  DocumentFile(std::string path, DocumentLock lock, Database database);
+  void DropLog();
   Result<void> Write(const DocumentChange& change);
   Result<void> Forget(int64_t last);
   Result<void> InTransaction(const std::function<Result<void>()>& work);
 
-  std::string path_;
-  DocumentLock lock_;  // outlives the database: see document_lock.h
+  std::string path_, target_;        ///< as it was given, and behind links: the log lies there
+  std::optional<FileIdentity> log_;  ///< SQLite's, of this document
+  DocumentLock lock_;                // outlives the database: see document_lock.h
   Database database_;
   bool has_kept_ = false;  // requests may be in the table "posted"
 };

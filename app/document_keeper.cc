@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/document_drafts.h"
 #include "app/document_record.h"
@@ -68,7 +69,9 @@ void DocumentKeeper::Leave() {
 }
 
 Result<void> DocumentKeeper::MayLeave(bool give_up) const {
-  if (give_up || status_.unwritten == 0) return {};
+  if (give_up) return {};
+  if (IsGone()) return tl::unexpected<Error>(Vanished(status_.path));
+  if (status_.unwritten == 0) return {};
   return Fail(ErrorCode::kFile,
               fmt::format("{} strokes and commands of this document are not on the disk",
                           status_.unwritten),
@@ -157,7 +160,8 @@ Result<void> DocumentKeeper::Rescue(Document in_memory, const std::vector<KeptRe
   std::vector<KeptRequest> left = waiting;
   const int64_t done = unwritten_.empty() ? acknowledged_ : unwritten_.back().number;
   std::erase_if(left, [&](const KeptRequest& request) { return request.number <= done; });
-  if (!status_.trouble || (status_.unwritten == 0 && left.empty())) return {};
+  const bool missed = status_.trouble && (status_.unwritten > 0 || !left.empty());
+  if (!missed && !IsGone()) return {};
   const Document everything = Everything(std::move(in_memory));
   if (everything.states.empty()) return tl::unexpected<Error>(Vanished(status_.path));
   const auto path = NewDraftPath(folders_.data);
@@ -263,8 +267,17 @@ void DocumentKeeper::Apply(std::vector<DocumentChange> changes) {
   DropOldStates();
 }
 
+/// A draft in which nobody drew may go.
+bool DocumentKeeper::IsGone() const {
+  return file_ && !file_->IsThere() && !(is_own_draft_ && only_begun_);
+}
+
 void DocumentKeeper::TryAgain() {
-  if (!status_.read_only && !unwritten_.empty()) Note(Write());
+  if (status_.read_only) return;
+  if (!unwritten_.empty()) return Note(Write());
+  const bool was_gone = std::exchange(was_gone_, IsGone());
+  if (was_gone_ && !was_gone) Note(tl::unexpected<Error>(Vanished(status_.path)));
+  if (was_gone && !was_gone_) Note({});
 }
 
 void DocumentKeeper::Tidy() {

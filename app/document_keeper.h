@@ -25,8 +25,9 @@ class DocumentKeeper {
   /// What was done up to this number is on the disk.
   int64_t acknowledged() const { return acknowledged_; }
 
-  /// Whether the open document can be left: `give_up`, or nothing but looking is not on the disk.
-  /// errors  kFile  strokes or commands would be lost.
+  /// Whether the open document can be left: `give_up`, or nothing but looking is not on the disk,
+  /// and the file is still there.
+  /// errors  kFile  strokes or commands would be lost, or the whole document.
   Result<void> MayLeave(bool give_up) const;
 
   /// A new document without a name, which is `start` now. It gets a file, a draft, with the first
@@ -47,11 +48,11 @@ class DocumentKeeper {
   /// errors  those of SaveDocument;  kFile  another file is there, and `replace` is false.
   Result<void> SaveAs(const std::string& path, Document in_memory, bool replace = false);
 
-  /// For who has to leave: where strokes or commands can't be written where they belong, makes a
-  /// draft of everything and goes on there; status() says so. Else it does nothing.
-  /// in_memory  as for SaveAs; without states where the session can't be asked.
-  /// waiting    requests that stay for the next opening, without what has been executed of them.
-  /// errors     kFile  a draft was needed and can't be made.
+  /// For who has to leave: where strokes or commands can't be written where they belong, or the
+  /// file is gone, makes a draft of everything and goes on there; status() says so. Else it does
+  /// nothing. in_memory  as for SaveAs; without states where the session can't be asked. waiting
+  /// requests that stay for the next opening, without what has been executed of them. errors kFile
+  /// a draft was needed and can't be made.
   Result<void> Rescue(Document in_memory, const std::vector<KeptRequest>& waiting);
 
   /// All that is known of the open document, on the disk or not; `in_memory` as for SaveAs.
@@ -67,7 +68,7 @@ class DocumentKeeper {
   /// Writes changes, in one transaction with those that could not be written before.
   void Apply(std::vector<DocumentChange> changes);
 
-  /// Tries once more to write what could not be written.
+  /// Tries once more to write what could not be written, and looks whether the file is still there.
   void TryAgain();
 
   /// Does what can be done when nobody waits for an acknowledgement.
@@ -75,6 +76,7 @@ class DocumentKeeper {
 
  private:
   void Leave();
+  bool IsGone() const;
   Result<void> MakeDraft();
   Result<void> Write();
   Result<void> WriteInto(const std::string& path, Document document);
@@ -89,6 +91,7 @@ class DocumentKeeper {
   int64_t acknowledged_ = 0;
   std::optional<DocumentFile> file_;
   bool is_own_draft_ = false;  ///< file_ was made by MakeDraft
+  bool was_gone_ = false;      ///< the last time that TryAgain looked
   bool only_begun_ = true;     ///< nothing was done since New but give it a lot and look
   /// The document as it was before `unwritten_`, where there is no file to read it from.
   Document start_;

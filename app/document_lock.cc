@@ -35,11 +35,6 @@ std::optional<FileIdentity> IdentityOf(const struct stat& status) {
   return FileIdentity{status.st_dev, status.st_ino};
 }
 
-std::optional<FileIdentity> IdentityOf(const std::string& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 ? IdentityOf(status) : std::nullopt;
-}
-
 std::optional<FileIdentity> IdentityOf(int fd) {
   struct stat status {};
   return ::fstat(fd, &status) == 0 ? IdentityOf(status) : std::nullopt;
@@ -90,6 +85,11 @@ Error CannotWrite(const std::string& path, int error) {
 
 }  // namespace
 
+std::optional<FileIdentity> IdentityOf(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? IdentityOf(status) : std::nullopt;
+}
+
 Result<DocumentLock> DocumentLock::Take(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (fd < 0) return tl::unexpected<Error>(CannotWrite(path, errno));
@@ -114,7 +114,7 @@ Result<DocumentLock> DocumentLock::Take(const std::string& path) {
 
 std::optional<std::string> DocumentLock::HolderOf(const std::string& path) {
   if (Own().Has(IdentityOf(path))) return "this Parti";
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return std::nullopt;
   struct flock asked = Lock(kLockByte);
   const bool held = ::fcntl(fd, F_OFD_GETLK, &asked) == 0 && asked.l_type != F_UNLCK;

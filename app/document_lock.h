@@ -19,6 +19,9 @@ struct FileIdentity {
   bool operator==(const FileIdentity&) const = default;
 };
 
+/// Nothing where there is no file.
+std::optional<FileIdentity> IdentityOf(const std::string& path);
+
 /// An exclusive lock. Keep it longer than any other descriptor of the file that this process has:
 /// closing it gives up the process's POSIX locks on the file, SQLite's among them.
 class DocumentLock {

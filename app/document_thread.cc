@@ -6,7 +6,7 @@
 namespace parti::app {
 namespace {
 
-// How often writing is tried again where it failed.
+// How often writing is tried again where it failed, and how often it is looked for the file.
 constexpr auto kTryAgain = std::chrono::seconds(2);
 // How often news come while the session is at work, so that long work is seen.
 constexpr auto kStillThere = std::chrono::milliseconds(250);
@@ -86,10 +86,8 @@ DocumentThread::Batch DocumentThread::Next() {
   rests_.notify_all();
   if (last_executed_ < last_posted_) {
     given_.wait_for(lock, kStillThere, has_work);
-  } else if (keeper_.status().trouble) {
-    given_.wait_for(lock, kTryAgain, has_work);
   } else {
-    given_.wait(lock, has_work);
+    given_.wait_for(lock, kTryAgain, has_work);
   }
   resting_ = false;
   Batch batch;

@@ -1,12 +1,32 @@
 // The program: parses the command line and runs the chosen command.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <csignal>
 
 #include "app/commands/commands.h"
 
+namespace {
+
+/// A descriptor that somebody closed would be given to a file or the connection to the display, and
+/// what is said would be written into it. Opened the wrong way around, each still fails when used.
+void KeepStandardDescriptors() {
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd) {
+    if (::fcntl(fd, F_GETFD) >= 0) continue;
+    static_cast<void>(::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace parti::app;
+  KeepStandardDescriptors();
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a write past the limit of a file's size fails, as on a full disk
   CLI::App app("Parti: draw a building, get the rules", "parti");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", "parti 0.1.0");

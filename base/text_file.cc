@@ -11,7 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace parti {
 namespace {
@@ -22,6 +24,7 @@ struct Closer {
 using File = std::unique_ptr<std::FILE, Closer>;
 
 constexpr size_t kMostBytes = size_t{256} << 20;
+constexpr int kMostLinks = 40;  // one after another, as the kernel follows them
 
 // Takes errno as the reason; call it at once.
 tl::unexpected<Error> FailWith(const char* verb, const std::string& path, std::string hint) {
@@ -44,13 +47,6 @@ Result<std::string> ReadAll(std::FILE* in, const std::string& name) {
   }
   if (std::ferror(in)) return FailWith("read", name, "");
   return bytes;
-}
-
-// Where a link leads, so that it stays a link; the path itself where there is nothing yet.
-std::string FollowLinks(const std::string& path) {
-  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                         &std::free);
-  return real ? std::string(real.get()) : path;
 }
 
 // All bytes, flushed to the disk where it is one (pipes and terminals refuse fsync).
@@ -91,6 +87,18 @@ Result<void> Replace(const std::string& path, const std::string& target, std::st
 
 }  // namespace
 
+std::string BehindLinks(const std::string& path) {
+  namespace fs = std::filesystem;
+  fs::path at = path;
+  std::error_code failed;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(at, failed); ++links) {
+    const fs::path to = fs::read_symlink(at, failed);
+    if (failed) return path;
+    at = at.parent_path() / to;  // an absolute one replaces all
+  }
+  return at.string();
+}
+
 Result<std::string> ReadFile(const std::string& path) {
   if (path == "-") return ReadAll(stdin, "standard input");
   if (IsFolder(path)) return Fail(ErrorCode::kFile, path + " is a folder, not a file");
@@ -101,7 +109,7 @@ Result<std::string> ReadFile(const std::string& path) {
 
 Result<void> WriteFile(const std::string& path, std::string_view bytes) {
   if (IsFolder(path)) return Fail(ErrorCode::kFile, path + " is a folder, not a file");
-  const std::string target = FollowLinks(path);
+  const std::string target = BehindLinks(path);
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (!exists) return Replace(path, target, bytes, nullptr);

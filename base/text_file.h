@@ -9,6 +9,9 @@
 
 namespace parti {
 
+/// The file that a link means, also one that is not there yet; the path itself where it is no link.
+std::string BehindLinks(const std::string& path);
+
 /// The bytes of a file; "-" reads standard input.
 /// errors  kFile  it does not exist, is a folder, can't be read, or is larger than 256 MiB; the
 ///         message names it.

@@ -269,6 +269,47 @@ TEST_F(DocumentKeeperTest, ADeletedFileIsSaidAndAnotherPlaceTakesEverything) {
   ExpectWhole(path_, 3);
 }
 
+TEST_F(DocumentKeeperTest, AFileThatGoesWhileNothingIsDoneIsSaidToo) {
+  Begin();
+  keeper_.TryAgain();
+  EXPECT_FALSE(keeper_.status().trouble);
+  fs::rename(path_, path_ + ".moved");
+  keeper_.TryAgain();
+  ASSERT_TRUE(keeper_.status().trouble);
+  EXPECT_THAT(keeper_.status().trouble->message, HasSubstr("is gone"));
+  EXPECT_FALSE(keeper_.MayLeave(false));
+  fs::rename(path_ + ".moved", path_);
+  keeper_.TryAgain();
+  EXPECT_FALSE(keeper_.status().trouble) << "it was put back";
+  EXPECT_TRUE(keeper_.MayLeave(false));
+}
+
+TEST_F(DocumentKeeperTest, WhatWasWrittenIntoAFileThatIsGoneIsRescuedWhole) {
+  Begin();
+  Do(kNode);
+  fs::remove(path_);
+  ASSERT_TRUE(keeper_.Rescue(DocumentOf(session_), {}));
+  EXPECT_EQ(keeper_.status().rescued_from, path_);
+  ASSERT_THAT(DraftsIn(folders_.data), SizeIs(1));
+  ExpectWhole(DraftsIn(folders_.data)[0], 2);
+}
+
+TEST_F(DocumentKeeperTest, ADocumentThatTookThePlaceIsNotReadWithTheOldOnesLog) {
+  Begin();
+  Do(kNode);
+  Session other;
+  ASSERT_TRUE(SaveDocument(DocumentOf(other), path_ + ".new"));
+  const auto bytes = ReadFile(path_ + ".new");
+  fs::rename(path_ + ".new", path_);
+  ASSERT_TRUE(keeper_.Rescue(DocumentOf(session_), {}));
+  EXPECT_FALSE(fs::exists(path_ + "-wal"));
+  const auto now = OpenDocument(path_);
+  ASSERT_TRUE(now) << FormatError(now.error());
+  EXPECT_THAT(now->history, IsEmpty());
+  EXPECT_EQ(*ReadFile(path_), *bytes);
+  ExpectWhole(keeper_.status().path, 2);
+}
+
 TEST_F(DocumentKeeperTest, AFileThatWasReplacedIsNotWrittenOver) {
   Begin();
   ASSERT_TRUE(SaveDocument(DocumentOf(Session()), path_ + ".new"));

@@ -231,6 +231,30 @@ TEST_F(DocumentTest, AFailedSaveLeavesTheOldDocument) {
   EXPECT_TRUE(ReadFile(folder + "/x"));
 }
 
+TEST_F(DocumentTest, WhatIsNoRegularFileIsLeftAlone) {
+  const std::string pipe = path_ + ".pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/null")}) {
+    const auto saved = SaveDocument(DocumentOf(Tower()), path);
+    ASSERT_FALSE(saved) << path;
+    EXPECT_THAT(saved.error().message, HasSubstr("not a regular file"));
+  }
+}
+
+TEST_F(DocumentTest, AnOldFilesPermissionsStayAndALinkStaysOne) {
+  ASSERT_EQ(::chmod(path_.c_str(), 0600), 0);
+  ASSERT_TRUE(SaveDocument(DocumentOf(Tower()), path_));
+  struct stat now {};
+  ASSERT_EQ(::stat(path_.c_str(), &now), 0);
+  EXPECT_EQ(now.st_mode & 07777, 0600u);
+  const std::string link = path_ + ".link.parti", target = path_ + ".target.parti";
+  ASSERT_EQ(::symlink("tower.parti.target.parti", link.c_str()), 0);
+  ASSERT_TRUE(SaveDocument(DocumentOf(Tower()), link)) << "to where nothing is yet";
+  EXPECT_TRUE(OpenDocument(target));
+  ASSERT_EQ(::lstat(link.c_str(), &now), 0);
+  EXPECT_TRUE(S_ISLNK(now.st_mode));
+}
+
 TEST_F(DocumentTest, WhatCannotBeWrittenHasTheNameThatWasAskedFor) {
   const std::string path = path_ + ".folder/that/is/not/there.parti";
   const auto saved = SaveDocument(DocumentOf(Tower()), path);
