@@ -12,7 +12,9 @@ namespace parti::app {
 namespace {
 
 tl::unexpected<Error> CannotWrite(const std::string& path) {
-  return Fail(ErrorCode::kFile, fmt::format("{}: {}", path, std::strerror(errno)));
+  const int reason = errno;
+  return Fail(ErrorCode::kFile, fmt::format("can't write {}: {}", path, std::strerror(reason)),
+              "name a file that can be written, on a disk with room");
 }
 
 }  // namespace

@@ -5,12 +5,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace parti::app {
+namespace {
+
+constexpr size_t kMostAtOnce = size_t{64} << 10;  ///< bytes of a call, so that a flood ends each
+constexpr size_t kLongestLine = size_t{8} << 20;
+
+}  // namespace
 
 Result<CommandPipe> CommandPipe::Open(const std::string& path) {
   // Also for writing: so there is always a writer, and the end of one is no end of the pipe.
@@ -41,16 +47,22 @@ CommandPipe::~CommandPipe() {
 }
 
 std::vector<Result<Command>> CommandPipe::Read() {
-  std::array<char, 4096> bytes{};
-  ssize_t count = 0;
-  while ((count = ::read(fd_, bytes.data(), bytes.size())) > 0) {
-    unread_.append(bytes.data(), static_cast<size_t>(count));
-  }
+  std::vector<char> bytes(kMostAtOnce);
+  const ssize_t count = ::read(fd_, bytes.data(), bytes.size());
   std::vector<Result<Command>> commands;
-  for (size_t end = 0; (end = unread_.find('\n')) != std::string::npos;) {
-    const std::string line = unread_.substr(0, end);
-    unread_.erase(0, end + 1);
-    if (!line.empty()) commands.push_back(ParseCommand(line));
+  for (ssize_t i = 0; i < count; ++i) {
+    const char c = bytes[static_cast<size_t>(i)];
+    if (c != '\n') {
+      if (unread_.size() <= kLongestLine) unread_ += c;
+      continue;
+    }
+    const std::string line = std::exchange(unread_, {});
+    if (line.size() > kLongestLine) {
+      commands.emplace_back(
+          Fail(ErrorCode::kLimitReached, "a line is longer than 8 MiB", "give a command per line"));
+    } else if (!line.empty()) {
+      commands.push_back(ParseCommand(line));
+    }
   }
   return commands;
 }

@@ -21,7 +21,8 @@ class CommandPipe {
 
   int fd() const { return fd_; }  ///< readable when Read has something to give
 
-  /// What the lines that came since the last call say, in order; never waits. A line is read when
+  /// What the lines that came since the last call say, in order, of at most 64 KiB: there may be
+  /// more. Never waits. A line is read when
   /// its line feed has come; empty ones are left out, what is no command fails as ParseCommand.
   std::vector<Result<Command>> Read();
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/utf8.h"
 
 namespace parti::app {
 namespace {
@@ -129,12 +130,13 @@ Result<void> CheckName(const std::string& name) {
   constexpr size_t kLongest = 200;
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   const bool blank = name.find_first_not_of(' ') == std::string::npos;
-  if (!blank && name.size() <= kLongest && std::none_of(name.begin(), name.end(), is_control) &&
-      name.front() != ' ' && name.back() != ' ') {
+  if (!blank && name.size() <= kLongest && IsUtf8(name) &&
+      std::none_of(name.begin(), name.end(), is_control) && name.front() != ' ' &&
+      name.back() != ' ') {
     return {};
   }
   return Fail(ErrorCode::kBadText, "this can't be a name",
-              fmt::format("one line of at most {} letters", kLongest));
+              fmt::format("one line of at most {} letters, in UTF-8", kLongest));
 }
 
 Result<void> AddTreeNamed(grammar::Trees* trees, const std::string& name) {

@@ -181,7 +181,7 @@ tl::expected<OpenedModel, std::vector<Error>> OpenModel(const ModelOptions& opti
   chosen.notes = &notes;
   // One that is empty or damaged from its first byte is no text either.
   const bool is_document =
-      LooksLikeDocument(options.file) || EndingOf(options.file) == kDocumentEnding;
+      EndingOf(options.file) == kDocumentEnding || LooksLikeDocument(options.file);
   const std::string extra = is_document ? OptionOfTexts(options) : "";
   if (!extra.empty()) {
     return Failed({Error{ErrorCode::kBadArguments,

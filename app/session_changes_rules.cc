@@ -1,4 +1,8 @@
 // Ground, rule files and trees, as a whole and node by node.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/edit_nodes.h"
 #include "app/rule_edits.h"
 #include "app/session_changes.h"
@@ -6,6 +10,7 @@
 namespace parti::app {
 namespace {
 
+using grammar::SelectionActionNode;
 using grammar::Trees;
 
 /// Why the node at `path` can't act on anything that it selects; nothing where it acts, or selects
@@ -36,9 +41,30 @@ Result<SessionState> WithGround(SessionState state, EditedModel model) {
   return state;
 }
 
+/// Levels of nodes.
+int DepthOf(const std::vector<SelectionActionNode>& nodes) {
+  int deepest = 0;
+  for (const SelectionActionNode& node : nodes) {
+    deepest = std::max(deepest, 1 + DepthOf(node.children));
+  }
+  return deepest;
+}
+
+/// What could be written but not read again is no rule.
+Result<void> CheckDepth(const Trees& trees) {
+  const bool fits = std::all_of(trees.begin(), trees.end(), [](const auto& tree) {
+    return DepthOf(tree.nodes) <= grammar::kDeepestNode;
+  });
+  if (fits) return {};
+  return Fail(ErrorCode::kLimitReached,
+              fmt::format("nodes would be nested more than {} deep", grammar::kDeepestNode),
+              "let the node stand beside the others");
+}
+
 }  // namespace
 
 Result<SessionState> WithRules(SessionState state, Trees trees, const NodePath& edited) {
+  if (const auto fits = CheckDepth(trees); !fits) return Fail(fits);
   auto model = Derived(state.model.ground, std::make_shared<const Trees>(std::move(trees)),
                        &state.model, grammar::Unfit::kSkip);
   if (!model) return Fail(model);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include "app/file_ending.h"
 
@@ -116,6 +117,13 @@ int64_t Statement::Integer(int column) const { return sqlite3_column_int64(handl
 
 Result<Database> Database::Open(const std::string& path, Mode mode) {
   constexpr int kWait_ms = 2000;
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) == 0 && !S_ISREG(facts.st_mode)) {
+    return Fail(ErrorCode::kFile,
+                fmt::format("{} is a {}, not a file", path,
+                            S_ISDIR(facts.st_mode) ? "folder" : "device or a pipe"),
+                "open a .parti document");
+  }
   Database database;
   database.path_ = path;
   sqlite3* handle = nullptr;

@@ -89,7 +89,10 @@ Result<void> Loop(Application* application, CommandPipe* pipe) {
   if (pipe) also.emplace_back(pipe->fd());
   constexpr double kLong_s = 60;
   while (!application->close_asked()) {
-    if (auto turned = application->Turn(kLong_s, also); !turned) return turned;
+    if (auto turned = application->Turn(kLong_s, also); !turned) {
+      application->PutDown();  // the display is gone: what the pen has drawn so far counts
+      return turned;
+    }
     if (!pipe) continue;
     for (const auto& command : pipe->Read()) {
       if (command) {
@@ -217,7 +220,10 @@ Result<void> RunApplication(const Options& options, Display* display, SessionThr
   if (!options.play.empty()) {
     if (auto played = PlayFile(options.play, application->get()); !played) return played;
   }
-  if (!options.screenshot.empty()) return TakeScreenshot(application->get(), options.screenshot);
+  if (!options.screenshot.empty()) {
+    auto taken = TakeScreenshot(application->get(), options.screenshot);
+    return taken ? logged : taken;
+  }
   if (auto looped = Loop(application->get(), *pipe ? &**pipe : nullptr); !looped) {
     return looped;
   }
@@ -244,15 +250,22 @@ int CheckSurplus(const std::vector<std::string>& surplus) {
   return kWrongUsage;
 }
 
-/// What of the document is not where it belongs, now that the program ends.
-void ReportUnwritten(const DocumentStatus& document) {
+/// What of the document is not where it belongs, now that the program ends; an exit status.
+int ReportUnwritten(const DocumentStatus& document) {
+  int status = kDone;
   if (!document.rescued_from.empty()) {
-    Report({ErrorCode::kFile,
-            fmt::format("{} could not be written: all of it is kept as the draft {}",
-                        document.rescued_from, document.path),
-            "open the draft and save it under a name"});
+    status = Report({ErrorCode::kFile,
+                     fmt::format("{} could not be written: all of it is kept as the draft {}",
+                                 document.rescued_from, document.path),
+                     "open the draft and save it under a name"});
   }
-  if (document.trouble && document.unwritten > 0) Report(*document.trouble);
+  if (document.trouble && document.unwritten > 0) {
+    status = Report({document.trouble->code,
+                     fmt::format("{} strokes and commands are lost: {}", document.unwritten,
+                                 document.trouble->message),
+                     "start it anew where it can write its documents"});
+  }
+  return status;
 }
 
 int Open(const Options& options, const std::vector<std::string>& commands,
@@ -275,8 +288,8 @@ int Open(const Options& options, const std::vector<std::string>& commands,
   const bool stopped = session.StopWithin(kPatience);
   display->reset();
   const auto last = session.Newest();
-  ReportUnwritten(last->document);
-  const int status = ran ? kDone : Report(ran.error());
+  const int kept = ReportUnwritten(last->document);
+  const int status = ran ? kept : Report(ran.error());
   if (stopped) return status;
   std::fflush(nullptr);
   std::_Exit(status);  // a derivation goes on that nobody waits for; its request is kept

@@ -31,6 +31,24 @@ class CommandPipeTest : public ::testing::Test {
   const std::string path_ = folder_ + "/pipe";
 };
 
+TEST_F(CommandPipeTest, AFloodComesInPartsAndALineWithoutAnEndIsNoCommand) {
+  auto pipe = CommandPipe::Open(path_);
+  ASSERT_TRUE(pipe);
+  const std::string part(1 << 15, 'x');
+  std::vector<Result<Command>> commands;
+  for (int i = 0; i < 260; ++i) {
+    Write(part);
+    commands = pipe->Read();
+    ASSERT_THAT(commands, SizeIs(0));
+  }
+  Write("x\nundo\n");
+  commands = pipe->Read();
+  ASSERT_THAT(commands, SizeIs(2));
+  ASSERT_FALSE(commands[0]);
+  EXPECT_EQ(commands[0].error().code, ErrorCode::kLimitReached);
+  EXPECT_EQ(TextOf(*commands[1]), "undo");
+}
+
 TEST_F(CommandPipeTest, LinesBecomeCommandsInOrderWhateverTheyCameIn) {
   auto pipe = CommandPipe::Open(path_);
   ASSERT_TRUE(pipe);

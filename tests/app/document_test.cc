@@ -231,6 +231,15 @@ TEST_F(DocumentTest, AFailedSaveLeavesTheOldDocument) {
   EXPECT_TRUE(ReadFile(folder + "/x"));
 }
 
+TEST_F(DocumentTest, AFolderAndAPipeAreCalledSoAndNotWaitedFor) {
+  const auto folder = OpenDocument(tests::TestFolder());
+  ASSERT_FALSE(folder);
+  EXPECT_THAT(folder.error().message, HasSubstr("is a folder"));
+  const std::string pipe = path_ + ".pipe.parti";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_FALSE(OpenDocument(pipe));
+}
+
 TEST_F(DocumentTest, WhatIsNoRegularFileIsLeftAlone) {
   const std::string pipe = path_ + ".pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

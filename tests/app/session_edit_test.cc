@@ -106,6 +106,20 @@ TEST_F(SessionEditTest, AMovedNodeStandsWhereItWasSentAndStaysInHand) {
       << "a node can't stand below itself";
 }
 
+TEST_F(SessionEditTest, WhatCouldNotBeReadAgainIsRefused) {
+  EXPECT_EQ(Refused("tree \xff").code, ErrorCode::kBadText);
+  EXPECT_EQ(Refused("rename-tree 0 \xc3(").code, ErrorCode::kBadText);
+  Do("rewrite tree deep { .Lot --> extrude(1) A }");
+  std::string place = "0/0";
+  for (int i = 1; i < grammar::kDeepestNode; ++i) {
+    Do("node .X --> color(\"red\")");
+    Do("move 0/1 to " + (place += "/0"));
+  }
+  ASSERT_TRUE(grammar::ParseTrees(Rules())) << "200 deep";
+  Do("node .X --> color(\"red\")");
+  EXPECT_EQ(Refused("move 0/1 to " + place + "/0").code, ErrorCode::kLimitReached);
+}
+
 TEST_F(SessionEditTest, TreesAreAddedRenamedReorderedAndSwitched) {
   Do("tree street furniture");
   Do("rename-tree 1 trees and lamps");
