@@ -22,8 +22,8 @@ class CommandPipe {
   int fd() const { return fd_; }  ///< readable when Read has something to give
 
   /// What the lines that came since the last call say, in order, of at most 64 KiB: there may be
-  /// more. Never waits. A line is read when
-  /// its line feed has come; empty ones are left out, what is no command fails as ParseCommand.
+  /// more. Never waits. A line is read when its line feed has come; empty ones are left out, what
+  /// is no command fails as ParseCommand, a line of more than 8 MiB with kLimitReached.
   std::vector<Result<Command>> Read();
 
  private:

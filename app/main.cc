@@ -25,8 +25,8 @@ void KeepStandardDescriptors() {
 int main(int argc, char** argv) {
   using namespace parti::app;
   KeepStandardDescriptors();
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a write past the limit of a file's size fails, as on a full disk
+  // A write past the limit of a file's size fails, as on a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Parti: draw a building, get the rules", "parti");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", "parti 0.1.0");
